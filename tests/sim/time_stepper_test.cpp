@@ -1,18 +1,22 @@
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
+#include "rigor/contact/time_of_impact.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/time_stepping/part_memory.hpp"
 #include "rigor/sim/time_stepping/trial_path.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rigor::time_stepper_test {
 namespace {
@@ -101,11 +105,68 @@ TEST(TimeStepper, ScenesScaledByPowersOfTwoGiveScaledBits) {
   }
 }
 
+std::vector<Aabb> boxes_at_start(const Model& model) {
+  const State state = make_initial_state(model);
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < model.body_count(); ++i) boxes.push_back(body_box(model, state, i));
+  return boxes;
+}
+
+/// Pairs in flight at random: what boxes tell of those that keep apart is what the search finds, and some
+/// meet.
+TEST(TrialPath, SaysOfPairsThatKeepApartWhatTheSearchFinds) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&](double size) {
+    return Vec3(size * Vec3::NullaryExpr([&] { return uniform(generator); }));
+  };
+  const double h = 0.01;
+  int meetings = 0;
+  for (int example = 0; example < 300; ++example) {
+    ModelBuilder builder = test::stepping_builder(0, 0, Vec3(0, 0, -g));
+    builder.add_body(test::stepping_body("a", Box{Vec3(0.1, 0.05, 0.02)}, Vec3(0, 0, 5)));
+    builder.add_body(test::stepping_body("b", Box{Vec3(0.1, 0.05, 0.02)}, Vec3(0.15, 0, 5) + vector(0.1)));
+    const std::shared_ptr<const Model> model = builder.build();
+    const Environment environment(*model);
+    const std::vector<Aabb> boxes = boxes_at_start(*model);
+    const State state = make_initial_state(*model);
+
+    // Both bodies fly for h, seldom fast.
+    const double size = example % 3 == 0 ? 20 : 1;
+    Cluster start{0, {1, 2}, {}, {}};
+    std::vector<Motion> motions;
+    for (const int i : start.bodies) {
+      const Body& body = model->body(i);
+      start.phases.push_back({state.position(i), state.orientation(i), body.mass * vector(size),
+                              body.moments.maxCoeff() * vector(size)});
+      const BodyInertia inertia{body.mass, body.moments};
+      motions.push_back(Motion::flight(
+          FreeFlight(inertia, start.phases.back(), 0, environment.steady_acceleration(i)), inertia));
+    }
+    Cluster end = start;
+    end.t = h;
+    for (int k = 0; k < 2; ++k)
+      end.phases[static_cast<std::size_t>(k)] = motions[static_cast<std::size_t>(k)].phase(h);
+
+    const ToiOptions options;
+    const std::array<Pose, 2> poses{pose_of(state, 1), pose_of(state, 2)};
+    if (!find_contacts(*model, 1, 2, poses[0], poses[1], 0).empty()) continue;
+    const TimeOfImpact found =
+        find_time_of_impact(model->body(1), motions[0], model->body(2), motions[1], 0, h, options);
+    TrialPath path({*model, environment, boxes}, options, start, end, h);
+    EXPECT_EQ(path.first_meeting({1, 2}), found.is_contact ? found.time : h) << example;
+    if (found.is_contact) ++meetings;
+  }
+  EXPECT_GT(meetings, 10);
+  EXPECT_LT(meetings, 250);
+}
+
 TEST(TrialPath, WhatSlidesIsClearToTheEndWhateverTheTimeIs) {
   ModelBuilder builder = test::stepping_builder(0, 0, Vec3(0, 0, -g));
   builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
   const std::shared_ptr<const Model> model = builder.build();
   const Environment environment(*model);
+  const std::vector<Aabb> boxes = boxes_at_start(*model);
   const ToiOptions options;
   const double h = 0.01;
   for (const double t : {0.0, 0.1, 0.44, 1000.3}) {
@@ -114,11 +175,11 @@ TEST(TrialPath, WhatSlidesIsClearToTheEndWhateverTheTimeIs) {
     Cluster end = start;
     end.t += h;
     end.phases[0].x += h * v;
-    TrialPath path(*model, environment, options, start, end, h);
+    TrialPath path({*model, environment, boxes}, options, start, end, h);
     EXPECT_EQ(path.without_overlap({0, 1}, 1e-3), h) << t;
     // It sinks by 5 mm: the slack is used up after a fifth of the step at the latest.
     end.phases[0].x.z() -= 0.005;
-    TrialPath sinking(*model, environment, options, start, end, h);
+    TrialPath sinking({*model, environment, boxes}, options, start, end, h);
     const double until = sinking.without_overlap({0, 1}, 1e-3);
     EXPECT_GT(until, 0) << t;
     EXPECT_LE(sinking.poses({0, 1}, until)[1].p.z(), 0.1) << t;

@@ -1,8 +1,11 @@
 #include "rigor/solver/linear/block_elimination.hpp"
+#include "rigor/solver/linear/contact_matrix.hpp"
+#include "rigor/solver/linear/node_system.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <random>
 #include <utility>
 #include <vector>
@@ -63,6 +66,84 @@ TEST(BlockElimination, SaysThatAMatrixIsSingular) {
   block(5, 5) = 0;
   blocks.add(1, 1, block);
   EXPECT_FALSE(blocks.factor(VecX::Ones(12)));
+}
+
+/// A contact of two bodies as motion_rows has it: one force at one point, along the axes of the contact.
+ContactRows::Sides point_contact(int A, int B, const Vec3& arm_A, const Vec3& arm_B, const Mat3& axes) {
+  const auto cross = [](const Vec3& p) {
+    Mat3 matrix;
+    matrix << 0, -p.z(), p.y(), p.z(), 0, -p.x(), -p.y(), p.x(), 0;
+    return matrix;
+  };
+  ContactRows::Sides sides;
+  sides[0].node = A;
+  sides[1].node = B;
+  sides[0].J << -axes.transpose(), axes.transpose() * cross(arm_A);
+  sides[1].J << axes.transpose(), -axes.transpose() * cross(arm_B);
+  return sides;
+}
+
+/// Random graphs of bodies with up to four contacts a pair, on what does not move, and with rows that are no
+/// point's: the matrix on prepared rows and a dense one solve the same systems, one D after the other.
+TEST(ContactMatrix, SolvesWhatADenseMatrixSolves) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&] { return Vec3(Vec3::NullaryExpr([&] { return uniform(generator); })); };
+  const auto square = [&] { return Mat3(Mat3::NullaryExpr([&] { return uniform(generator); })); };
+  for (int example = 0; example < 100; ++example) {
+    SCOPED_TRACE(example);
+    const int nodes = 1 + example % 12;
+    ContactRows rows;
+    for (int node = 0; node < nodes; ++node) {
+      Mat6 mass = Mat6::Zero();
+      mass.diagonal().head<3>().setConstant(std::exp2(6 * uniform(generator)));
+      const Mat3 half = square();
+      mass.bottomRightCorner<3, 3>() =
+          std::exp2(6 * uniform(generator)) * (half * half.transpose() + Mat3::Identity());
+      rows.masses.push_back(mass);
+      rows.inverse_masses.push_back(mass.inverse());
+    }
+    for (int A = -1; A < nodes; ++A) {
+      for (int B = A + 1; B < nodes; ++B) {
+        if (uniform(generator) < 0.3) continue;
+        const Vec3 shift = vector();
+        const Mat3 axes = Quat(uniform(generator), 1, uniform(generator), uniform(generator))
+                              .normalized()
+                              .toRotationMatrix();
+        for (int k = 0; k < 1 + example % 4; ++k) {
+          const Vec3 arm = vector();
+          rows.contacts.push_back(example % 2 ? point_contact(B, A, arm, arm + shift, axes)
+                                              : point_contact(A, B, arm, arm + shift, axes));
+        }
+        if (example % 5 == 0) rows.contacts.back()[0].J *= 2;
+        if (example % 7 == 0) {
+          rows.contacts.back()[2].node = nodes - 1;
+          rows.contacts.back()[2].J(2, 1) = 1;
+        }
+      }
+    }
+
+    const EliminationPattern pattern = elimination_pattern(rows);
+    ContactMatrix matrix(rows, pattern);
+    for (const bool is_symmetric : {false, true}) {
+      std::vector<Mat3> D;
+      MatX dense = MatX::Zero(6 * nodes, 6 * nodes);
+      for (int node = 0; node < nodes; ++node)
+        dense.block<6, 6>(6 * node, 6 * node) = rows.masses[static_cast<std::size_t>(node)];
+      for (const ContactRows::Sides& sides : rows.contacts) {
+        const Mat3 half = square();
+        D.push_back(uniform(generator) < -0.5 ? Mat3(Mat3::Zero()) : Mat3(half * half.transpose()));
+        if (!is_symmetric && D.back()(0, 0) > 0) D.back()(0, 2) += 0.3;
+        for (const ContactRows::Side& left : sides)
+          for (const ContactRows::Side& right : sides)
+            if (left.node >= 0 && right.node >= 0)
+              dense.block<6, 6>(6 * left.node, 6 * right.node) += left.J.transpose() * D.back() * right.J;
+      }
+      ASSERT_TRUE(matrix.factor(D, is_symmetric));
+      const VecX wanted = VecX::NullaryExpr(6 * nodes, [&] { return uniform(generator); });
+      EXPECT_LE((matrix.solve(dense * wanted) - wanted).cwiseAbs().maxCoeff(), 1e-8);
+    }
+  }
 }
 
 }  // namespace

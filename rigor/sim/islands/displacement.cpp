@@ -1,15 +1,18 @@
 #include "rigor/sim/islands/displacement.hpp"
 
+#include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace rigor {
 
 VecX separating_impulses(const ContactSystem& system, const std::vector<double>& lowest) {
   // The Coulomb problem without friction, with displacements for velocities: A δ + gap - lowest.
   const std::size_t count = system.contacts.size();
-  CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
+  CoulombProblem problem{MatX(), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
                          std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
                          std::vector<Vec2>(count, Vec2::Zero())};
   for (std::size_t i = 0; i < count; ++i) {
@@ -17,6 +20,21 @@ VecX separating_impulses(const ContactSystem& system, const std::vector<double>&
     problem.b[3 * static_cast<Eigen::Index>(i) + 2] =
         contact.stop ? std::max(0.0, contact.point.gap) : contact.point.gap - lowest[i];
   }
+
+  // Of many contacts on the sparse rows: any share of the load makes the same displacements.
+  constexpr std::size_t most_in_dense_methods = 16;
+  const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
+                                     [](const Contact& contact) { return contact.stop.has_value(); });
+  if (count > most_in_dense_methods && !system.joints && !has_stops) {
+    CoulombOptions options;
+    options.least_norm = false;
+    options.resolution = 0;
+    options.enough = 1e-10;
+    const std::optional<CoulombSolution> found =
+        solve_in_motion_space({motion_rows(system), problem}, {}, options);
+    if (found && found->converged) return found->lambda;
+  }
+  problem.A = delassus(system);
   return solve_coulomb(problem).lambda;
 }
 

@@ -37,6 +37,20 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
   }
 }
 
+void StepContacts::begin_step(const State& state) {
+  known_.clear();
+  boxes_.clear();
+  for (int i = 0; i < model_.body_count(); ++i) boxes_.push_back(body_box(model_, state, i));
+}
+
+/// All contacts of a pair at the beginning of the step with gaps up to the margin [m].
+const std::vector<Contact>& StepContacts::find(const State& state, const Pair& pair, double margin) {
+  const auto [place, is_new] = known_.try_emplace({pair, margin});
+  const bool is_near = boxes_[rigor::at(pair.first)].grown(margin).overlaps(boxes_[rigor::at(pair.second)]);
+  if (is_new && is_near) place->second = finder_.find(state, pair, margin);
+  return place->second;
+}
+
 NearContacts StepContacts::near(const State& state, const Cluster& start, const Foresight& foresight) {
   NearContacts near;
   for (const Pair& pair : finder_.near_pairs(state, foresight.reaches)) {
@@ -52,7 +66,7 @@ NearContacts StepContacts::near(const State& state, const Cluster& start, const 
 
     // Contacts within reach, those that may act, and those of later in the step.
     std::vector<Contact> found;
-    if (shows) found = finder_.find(state, pair, margin(pair, foresight));
+    if (shows) found = find(state, pair, margin(pair, foresight));
     std::copy_if(found.begin(), found.end(), std::back_inserter(near.acting), [&](const Contact& contact) {
       return (has_met && has(met->second, contact.key())) || may_act(contact, start, foresight);
     });
@@ -67,9 +81,9 @@ NearContacts StepContacts::near(const State& state, const Cluster& start, const 
 
 /// Whether the contacts at the beginning show on which side of each other the bodies are: those of bodies
 /// that move far only if they touch.
-bool StepContacts::shows_itself(const State& state, const Pair& pair, const Foresight& foresight) const {
+bool StepContacts::shows_itself(const State& state, const Pair& pair, const Foresight& foresight) {
   return !moves_far(pair, foresight.reaches) || foresight.met_at_once.contains(pair) ||
-         !touching(finder_.find(state, pair, tolerance_)).empty();
+         !touching(find(state, pair, tolerance_)).empty();
 }
 
 bool StepContacts::moves_far(const Pair& pair, const std::vector<double>& reaches) const {
@@ -106,12 +120,12 @@ bool StepContacts::may_act(const Contact& contact, const Cluster& start, const F
 }
 
 bool StepContacts::foresee(const State& state, const Cluster& start, const Pair& pair,
-                           const std::array<Pose, 2>& poses, double left, Foresight& foresight) const {
+                           const std::array<Pose, 2>& poses, double left, Foresight& foresight) {
   const auto [a, b] = pair;
   std::vector<Contact>& later = foresight.met[pair];
   std::vector<Contact> known = later;
   if (shows_itself(state, pair, foresight)) {
-    for (const Contact& contact : finder_.find(state, pair, margin(pair, foresight))) {
+    for (const Contact& contact : find(state, pair, margin(pair, foresight))) {
       if (may_act(contact, start, foresight)) known.push_back(contact);
     }
   }

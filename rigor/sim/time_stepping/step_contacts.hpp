@@ -7,6 +7,7 @@
 #include "rigor/sim/time_stepping/foresight.hpp"
 
 #include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,12 +30,16 @@ class StepContacts {
   /// Holds references to the model and the environment.
   StepContacts(const Model& model, const Environment& environment, const Method& method);
 
+  /// Begins with a step from this State. Until the next one the contacts there are found once for all tries.
+  void begin_step(const State& state);
+  /// The boxes of all bodies in that State.
+  const std::vector<Aabb>& boxes() const { return boxes_; }
   /// The contacts of a step from `start`, the bodies of the State.
   NearContacts near(const State& state, const Cluster& start, const Foresight& foresight);
   /// Notes that a pair meets, at these poses, when a share `left` of the step is left. Returns whether it has
   /// contacts there that were not foreseen: the next try has rows for them.
   bool foresee(const State& state, const Cluster& start, const Pair& pair, const std::array<Pose, 2>& poses,
-               double left, Foresight& foresight) const;
+               double left, Foresight& foresight);
   /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
   std::vector<Contact> at(const State& state, const std::vector<double>& reaches);
   /// Those among them that touch.
@@ -45,7 +50,8 @@ class StepContacts {
 
  private:
   bool moves_far(const Pair& pair, const std::vector<double>& reaches) const;
-  bool shows_itself(const State& state, const Pair& pair, const Foresight& foresight) const;
+  bool shows_itself(const State& state, const Pair& pair, const Foresight& foresight);
+  const std::vector<Contact>& find(const State& state, const Pair& pair, double margin);
   double margin(const Pair& pair, const Foresight& foresight) const;
   bool may_act(const Contact& contact, const Cluster& start, const Foresight& foresight) const;
 
@@ -54,6 +60,9 @@ class StepContacts {
   double tolerance_;  ///< Of contacts [m].
   ConeMethod cone_;
   ContactFinder finder_;
+  std::vector<Aabb> boxes_;  ///< Of the bodies at the beginning of the step.
+  /// The contacts there of pairs within margins that were asked for.
+  std::map<std::pair<Pair, double>, std::vector<Contact>> known_;
   std::vector<double> thickness_;  ///< One per body [m].
   std::vector<double> width_;      ///< The smallest of the shapes of each body [m].
 };

@@ -1,7 +1,6 @@
 #include "rigor/sim/time_stepping/step_rates.hpp"
 
 #include "rigor/contact/system/contact_kinematics.hpp"
-#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -12,11 +11,35 @@ namespace rigor {
 
 namespace {
 
+using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+/// The point nearest to `wanted` in the span of the columns. Those of which others leave less than a share do
+/// not count: Gram and Schmidt's method, the longest remaining column first, its rest made orthogonal twice.
+VecX nearest_in_span(RigidMotions columns, const VecX& wanted) {
+  constexpr double dependent = 1e-9;
+  const double least = dependent * columns.colwise().norm().maxCoeff();
+  VecX nearest = VecX::Zero(wanted.size());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    Eigen::Index longest = 0;
+    const double length = columns.rightCols(columns.cols() - k).colwise().norm().maxCoeff(&longest);
+    if (!(length > least)) break;
+    if (longest > 0) columns.col(k).swap(columns.col(k + longest));
+
+    // The unit column, and what is left of the later ones.
+    for (Eigen::Index i = 0; i < k; ++i)
+      columns.col(k) -= columns.col(i).dot(columns.col(k)) * columns.col(i);
+    columns.col(k).normalize();
+    for (Eigen::Index i = k + 1; i < columns.cols(); ++i)
+      columns.col(i) -= columns.col(k).dot(columns.col(i)) * columns.col(k);
+    nearest += columns.col(k).dot(wanted) * columns.col(k);
+  }
+  return nearest;
+}
+
 /// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
 /// can have. The difference is of second order, and contacts that hold could not all obey it.
 void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
   // Centre of the contacts, and their largest distance from it as the unit of length.
-  constexpr double dependent = 1e-9;
   Vec3 centre = Vec3::Zero();
   for (const std::size_t i : contacts)
     centre += system.contacts[i].p_W() / static_cast<double>(contacts.size());
@@ -25,7 +48,7 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   if (!(radius > 0)) radius = 1;
 
   // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
-  MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
+  RigidMotions motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
   VecX wanted(motions.rows());
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
@@ -35,7 +58,7 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   }
 
   // The nearest of them, in the frames of the contacts.
-  const VecX rigid = motions * least_norm_solution(motions, wanted, dependent);
+  const VecX rigid = nearest_in_span(std::move(motions), wanted);
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
     accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);

@@ -97,6 +97,7 @@ double TimeStepper::take_step(double h, State& state) {
 
   // What the tries of this step show is for this step.
   moved_.clear();
+  contacts_.begin_step(state);
   Foresight foresight{h, std::vector<double>(at(model_->body_count()), 0.0)};
   const Cluster start = cluster_in(state);
   grow_reaches(*model_, environment_, h, start.bodies, start.phases, foresight.reaches);
@@ -166,7 +167,7 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Fores
     poll_interrupt();
     Trial trial = try_once(theta, state, foresight);
     const double h = trial.h;
-    const Lesson lesson = learn(state, trial, foresight);
+    const Lesson lesson = learn(state, foresight, trial);
     double until = lesson.until;
     if ((!lesson.is_new && until == h) || k >= most_tries) {
       // Overlaps that cannot be put right came of a step that was too long.
@@ -238,7 +239,7 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
 
 /// What a try shows of the step: bodies that come farther than was thought, pairs that meet on the way, and
 /// pairs that overlap at the end.
-TimeStepper::Lesson TimeStepper::learn(const State& state, const Trial& trial, Foresight& foresight) {
+TimeStepper::Lesson TimeStepper::learn(const State& state, Foresight& foresight, Trial& trial) {
   Lesson lesson = learn_from_way(state, trial, foresight);
   const bool grows = trial.reaches != foresight.reaches;
   foresight.reaches = trial.reaches;
@@ -246,7 +247,7 @@ TimeStepper::Lesson TimeStepper::learn(const State& state, const Trial& trial, F
 
   // A step that ends earlier has another end, and one that was not foreseen is not judged by it.
   if (lesson.until < trial.h) return lesson;
-  const Lesson of_end = learn_from_end(state, trial, foresight);
+  const Lesson of_end = learn_from_end(state, foresight, trial);
   lesson.is_new |= of_end.is_new;
   if (!lesson.is_new) lesson.until = of_end.until;
   return lesson;
@@ -255,7 +256,7 @@ TimeStepper::Lesson TimeStepper::learn(const State& state, const Trial& trial, F
 /// Pairs that meet on the way have rows in the next try, if their contacts there are foreseen then; else the
 /// step ends where the first of them meets, or goes too deep.
 TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial& trial,
-                                                Foresight& foresight) const {
+                                                Foresight& foresight) {
   constexpr double share_of_thickness = 0.1;
   const double h = trial.h;
   Lesson lesson{.until = h};
@@ -264,7 +265,7 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
   options.rest_velocity = still_speed(method_.resting_velocity);
-  TrialPath path(*model_, environment_, options, trial.struck, trial.end, h);
+  TrialPath path({*model_, environment_, contacts_.boxes()}, options, trial.struck, trial.end, h);
   const Cluster start = cluster_in(state);
 
   const auto learn_from = [&](const Pair& pair, double meeting) {
@@ -290,14 +291,14 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
 
 /// Pairs that overlap at the end were pushed where they would not have gone by themselves, or came round with
 /// other features. Where their rows were the right ones and the overlap is deep, the step was too long.
-TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, const Trial& trial,
-                                                Foresight& foresight) {
+TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, Foresight& foresight, Trial& trial) {
   Lesson lesson{.until = trial.h};
   const Cluster start = cluster_in(state);
   State end = state;
   write(trial.end, end);
   std::map<Pair, double> misjudged;
-  for (const Contact& contact : contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0))) {
+  trial.at_end = contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0));
+  for (const Contact& contact : *trial.at_end) {
     const double misjudgement = misjudgement_of(contact);
     double& worst = misjudged[{contact.body_A, contact.body_B}];
     worst = std::max(worst, misjudgement);
@@ -364,7 +365,8 @@ double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   double largest = 0;
   for (int pass = 0;; ++pass) {
     write(end, moved);
-    const std::vector<Contact> contacts = contacts_.at(moved, reaches);
+    const bool is_known = pass == 0 && trial.at_end;
+    const std::vector<Contact> contacts = is_known ? *trial.at_end : contacts_.at(moved, reaches);
     double deepest = 0;
     for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
     trial.touching_after = contacts_.touching(contacts);

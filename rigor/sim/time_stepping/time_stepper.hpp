@@ -38,11 +38,12 @@ class TimeStepper : public FixedStepStepper {
     double h;             ///< [s].
     Cluster struck, end;  ///< After the impacts at the beginning, and at the end.
     AdvanceReport report = {};
-    std::vector<double> reaches;               ///< How far the points of each body have come, at most [m].
-    NearContacts near;                         ///< At the beginning.
-    std::vector<Contact> touching_after = {};  ///< Within the contact tolerance.
-    std::vector<ContactForce> forces = {};     ///< All through the step.
-    double gain = 0;                           ///< Energy gained beyond work and rounding [J].
+    std::vector<double> reaches;  ///< How far the points of each body have come, at most [m].
+    NearContacts near;            ///< At the beginning.
+    std::optional<std::vector<Contact>> at_end = {};  ///< Contacts there, where they were looked for.
+    std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
+    std::vector<ContactForce> forces = {};            ///< All through the step.
+    double gain = 0;                                  ///< Energy gained beyond work and rounding [J].
   };
   /// What a try says of the next one.
   struct Lesson {
@@ -59,9 +60,9 @@ class TimeStepper : public FixedStepStepper {
   Trial try_once(double theta, const State& state, const Foresight& foresight);
   void move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts, Trial& trial);
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
-  Lesson learn(const State& state, const Trial& trial, Foresight& foresight);
-  Lesson learn_from_way(const State& state, const Trial& trial, Foresight& foresight) const;
-  Lesson learn_from_end(const State& state, const Trial& trial, Foresight& foresight);
+  Lesson learn(const State& state, Foresight& foresight, Trial& trial);
+  Lesson learn_from_way(const State& state, const Trial& trial, Foresight& foresight);
+  Lesson learn_from_end(const State& state, Foresight& foresight, Trial& trial);
   void hold_joints(Cluster& part, AdvanceReport& report) const;
   void admit_overlaps(State& state);
   void admit_velocities(State& state);

@@ -25,15 +25,16 @@ double depth_of(const Body& A, const Pose& X_WA, const Body& B, const Pose& X_WB
 
 }  // namespace
 
-TrialPath::TrialPath(const Model& model, const Environment& environment, const ToiOptions& options,
-                     const Cluster& start, const Cluster& end, double h)
-    : model_(model),
-      environment_(environment),
+TrialPath::TrialPath(const Bodies& bodies, const ToiOptions& options, const Cluster& start,
+                     const Cluster& end, double h)
+    : model_(bodies.model),
+      environment_(bodies.environment),
+      boxes_(bodies.boxes),
       options_(options),
       start_(start),
       end_(end),
       h_(h),
-      motions_(at(model.body_count())) {}
+      motions_(at(bodies.model.body_count())) {}
 
 const Motion& TrialPath::motion(int i) {
   std::optional<Motion>& known = motions_[at(i)];
@@ -70,9 +71,34 @@ std::array<Pose, 2> TrialPath::poses(const Pair& pair, double tau) {
   return {motion(pair.first).sample(start_.t + tau).X_WB, motion(pair.second).sample(start_.t + tau).X_WB};
 }
 
+/// Whether the box of B, moved along all of B's way relative to A and grown by what rotations add, never
+/// comes to the box of A. The centres move along parabolas: relative to each other from d = 0 by v τ + c τ².
+bool TrialPath::stays_apart(const Pair& pair) {
+  const auto [a, b] = pair;
+  for (const int i : {a, b})
+    if (model_.body(i).motion == MotionType::kinematic) return false;
+  const Motion &of_A = motion(a), &of_B = motion(b);
+  const double t = start_.t;
+  const Vec3 v = of_B.velocity(t) - of_A.velocity(t);
+  const Vec3 d = (of_B.position(t + h_) - of_B.position(t)) - (of_A.position(t + h_) - of_A.position(t));
+  const Vec3 along = h_ * v, bend = d - along;
+
+  // How far points come by rotation, and what positions are rounded to.
+  double turned = options_.contact_tolerance;
+  for (const int i : {a, b})
+    if (const double w = motion(i).max_angular_speed(); w > 0)
+      turned += h_ * w * model_.body(i).bounding_radius;
+
+  Aabb moved = boxes_[at(b)];
+  moved.lower += along.cwiseMin(0) + bend.cwiseMin(0);
+  moved.upper += along.cwiseMax(0) + bend.cwiseMax(0);
+  return !moved.grown(turned).overlaps(boxes_[at(a)]);
+}
+
 double TrialPath::first_meeting(const Pair& pair) {
   const auto [a, b] = pair;
   const double span = longest_arc(pair);
+  if (stays_apart(pair)) return span;
   const TimeOfImpact found = find_time_of_impact(model_.body(a), motion(a), model_.body(b), motion(b),
                                                  start_.t, start_.t + span, options_);
   // A search that was broken off has proven the time before it, and nothing beyond.

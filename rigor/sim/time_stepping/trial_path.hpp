@@ -18,10 +18,16 @@ class TrialPath {
  public:
   using Pair = std::pair<int, int>;
 
+  /// What moves, and where it was at the beginning: the boxes of all bodies there.
+  struct Bodies {
+    const Model& model;
+    const Environment& environment;
+    const std::vector<Aabb>& boxes;
+  };
   /// From `start`, after the impacts at the beginning, to `end`, h > 0 later [s]; all arguments must outlive
   /// it.
-  TrialPath(const Model& model, const Environment& environment, const ToiOptions& options,
-            const Cluster& start, const Cluster& end, double h);
+  TrialPath(const Bodies& bodies, const ToiOptions& options, const Cluster& start, const Cluster& end,
+            double h);
 
   /// When this pair, which does not touch at the beginning, meets, or h [s].
   double first_meeting(const Pair& pair);
@@ -34,9 +40,11 @@ class TrialPath {
  private:
   const Motion& motion(int body);
   double longest_arc(const Pair& pair);
+  bool stays_apart(const Pair& pair);
 
   const Model& model_;
   const Environment& environment_;
+  const std::vector<Aabb>& boxes_;
   const ToiOptions& options_;
   const Cluster &start_, &end_;
   double h_;

@@ -19,6 +19,7 @@ struct ProximalStart {
   const VecX& lambda;  ///< λ⁰ (3n).
   const VecX& v;       ///< M⁻¹ Lᵀ λ⁰.
   double rho;          ///< Times the mass of each contact.
+  double share;        ///< How large the miss may be, as a share of what the point moves.
 };
 
 /// Forces that solve the law of contacts that give way: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
@@ -36,45 +37,51 @@ std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start
 std::optional<ProximalPoint> proximal_point_by_forces(const ProximalStart& start);
 
 /// Newton's method with a search along its line, for both. A Search has
-///   start()            the first place: at least v and momentum = M v;
-///   miss_at(place)     how the place misses the law: at least `error`, in the metric of the masses, and
-///   modes; way_from(place, miss), moved(place, length, way) forces_of(place, miss)  what has lambda and
-///   pulled = Lᵀ λ; motion()           the ContactMotion.
+///   start()                           the first place: at least v and momentum = M v;
+///   measure(place, miss)              how the place misses the law: at least `error`, in the metric of the
+///                                     masses, and modes;
+///   way_from(place, miss)             Newton's direction, a place;
+///   move(place, length, way, there)   along it;
+///   forces_of(place, miss)            what has lambda and pulled = Lᵀ λ;
+///   motion()                          the ContactMotion.
 template <typename Search>
-std::optional<ProximalPoint> newton_point(const Search& search, int most_steps, int most_halvings) {
+std::optional<ProximalPoint> newton_point(const Search& search, double share, int most_steps,
+                                          int most_halvings) {
   constexpr double kDecrease = 1e-4;
   // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
-  // of what the point moves: that share is what the points lose of their speed of convergence.
-  constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
+  // of what the point moves: that share is what the points lose of their speed of convergence. Below kStuck a
+  // step that does not halve the miss creeps along its rounding.
+  constexpr double kRounding = 1e-12, kStuck = 1e-9, kCreep = 0.5;
   const auto start = search.start();
-  auto place = start;
-  auto miss = search.miss_at(place);
+  auto place = start, there = start;
+  typename Search::Miss miss, trial;
+  search.measure(place, miss);
   for (int step = 0; step < most_steps; ++step) {
     const auto& forces = search.forces_of(place, miss);
     const double size = std::sqrt(forces.pulled.dot(search.motion().lift(forces.pulled))) +
                         std::sqrt(place.v.dot(place.momentum));
     const double moved_by =
         std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));
-    if (miss.error <= std::max(kRounding * size, kShare * moved_by))
+    if (miss.error <= std::max(kRounding * size, share * moved_by))
       return ProximalPoint{forces.lambda, miss.modes, false};
 
     // Newton's direction, and halving until the error falls in proportion to the step.
     const auto way = search.way_from(place, miss);
     if (!way.v.allFinite()) return std::nullopt;
     double length = 1;
-    auto there = search.moved(place, length, way);
-    auto trial = search.miss_at(there);
+    search.move(place, length, way, there);
+    search.measure(there, trial);
     for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * miss.error); ++k) {
       length *= 0.5;
-      there = search.moved(place, length, way);
-      trial = search.miss_at(there);
+      search.move(place, length, way, there);
+      search.measure(there, trial);
     }
-    if (!(trial.error < miss.error)) {
-      if (!(miss.error <= kStuck * size)) return std::nullopt;
+    const bool is_stuck = miss.error <= kStuck * size;
+    if (is_stuck && !(trial.error <= kCreep * miss.error))
       return ProximalPoint{forces.lambda, miss.modes, true};
-    }
-    place = std::move(there);
-    miss = std::move(trial);
+    if (!(trial.error < miss.error)) return std::nullopt;
+    std::swap(place, there);
+    std::swap(miss, trial);
   }
   return std::nullopt;
 }

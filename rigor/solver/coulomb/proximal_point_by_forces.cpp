@@ -32,15 +32,17 @@ class SearchByForces {
     VecX F;  ///< λ - P(λ - c w) (3n).
     std::vector<ContactMode> modes;
     std::vector<Mat3> slopes;  ///< dP / dx, one per contact.
-    double error;              ///< Of F and of M v - Lᵀ λ.
+    double error = 0;          ///< Of F and of M v - Lᵀ λ.
   };
 
   const ContactMotion& motion() const { return from_.motion; }
   Place start() const { return place_at(from_.v, from_.lambda); }
 
-  Miss miss_at(const Place& place) const {
+  void measure(const Place& place, Miss& miss) const {
     const std::size_t count = from_.laws.mu.size();
-    Miss miss{VecX(place.lambda.size()), std::vector<ContactMode>(count), std::vector<Mat3>(count), 0};
+    miss.F.resize(place.lambda.size());
+    miss.modes.resize(count);
+    miss.slopes.resize(count);
     const VecX momentum = place.momentum - place.pulled;
     double square = std::max(0.0, momentum.dot(from_.motion.lift(momentum)));
     for (std::size_t k = 0; k < count; ++k) {
@@ -56,7 +58,6 @@ class SearchByForces {
       square += miss.F.segment<3>(row).squaredNorm() / mass;
     }
     miss.error = std::sqrt(square);
-    return miss;
   }
 
   /// With S = dP/dx, dF = 0 gives
@@ -68,6 +69,12 @@ class SearchByForces {
     for (std::size_t k = 0; k < D.size(); ++k) {
       if (miss.modes[k] == ContactMode::open) continue;
       const Index row = 3 * static_cast<Index>(k);
+      if (miss.modes[k] == ContactMode::stick) {
+        // S = 1.
+        D[k].diagonal().setConstant(from_.rho * from_.masses(row / 3));
+        r.segment<3>(row) *= from_.rho / kScale;
+        continue;
+      }
       const Mat3& S = miss.slopes[k];
       const Mat3 inverse = Mat3(Mat3::Identity() - (1 - kScale / from_.rho) * S).inverse();
       D[k] = kScale * from_.masses(row / 3) * inverse * S;
@@ -84,10 +91,12 @@ class SearchByForces {
     return place_at(std::move(dv), std::move(dlambda));
   }
 
-  static Place moved(const Place& place, double length, const Place& way) {
-    return {place.v + length * way.v, place.rates + length * way.rates,
-            place.momentum + length * way.momentum, place.lambda + length * way.lambda,
-            place.pulled + length * way.pulled};
+  static void move(const Place& place, double length, const Place& way, Place& there) {
+    there.v = place.v + length * way.v;
+    there.rates = place.rates + length * way.rates;
+    there.momentum = place.momentum + length * way.momentum;
+    there.lambda = place.lambda + length * way.lambda;
+    there.pulled = place.pulled + length * way.pulled;
   }
 
   static const Place& forces_of(const Place& place, const Miss&) { return place; }
@@ -108,7 +117,7 @@ class SearchByForces {
 
 std::optional<ProximalPoint> proximal_point_by_forces(const ProximalStart& start) {
   constexpr int most_steps = 20, most_halvings = 6;
-  return newton_point(SearchByForces(start), most_steps, most_halvings);
+  return newton_point(SearchByForces(start), start.share, most_steps, most_halvings);
 }
 
 }  // namespace rigor

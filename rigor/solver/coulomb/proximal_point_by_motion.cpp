@@ -20,22 +20,24 @@ class SearchByMotion {
   };
 
   /// Forces at a motion v, and what the contacts do there.
-  struct Forces {
+  struct Miss {
     VecX lambda;  ///< 3n.
     std::vector<ContactMode> modes;
     std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
     VecX pulled;               ///< Lᵀ λ.
     VecX miss;                 ///< M v - Lᵀ λ.
-    double error;              ///< Of the miss, in the metric of M⁻¹.
+    double error = 0;          ///< Of the miss, in the metric of M⁻¹.
   };
 
   const ContactMotion& motion() const { return from_.motion; }
   Motion start() const { return motion_at(from_.v); }
 
-  Forces miss_at(const Motion& motion) const {
+  void measure(const Motion& motion, Miss& forces) const {
     const VecX w = motion.rates + from_.laws.b;
     const std::size_t count = from_.laws.mu.size();
-    Forces forces{VecX(w.size()), std::vector<ContactMode>(count), std::vector<Mat3>(count), {}, {}, 0};
+    forces.lambda.resize(w.size());
+    forces.modes.resize(count);
+    forces.slopes.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       const Index row = 3 * static_cast<Index>(k);
       const double rho = from_.rho * from_.masses(row / 3);
@@ -48,19 +50,19 @@ class SearchByMotion {
     forces.pulled = from_.motion.pull(forces.lambda);
     forces.miss = motion.momentum - forces.pulled;
     forces.error = std::sqrt(std::max(0.0, forces.miss.dot(from_.motion.lift(forces.miss))));
-    return forces;
   }
 
-  Motion way_from(const Motion&, const Forces& forces) const {
+  Motion way_from(const Motion&, const Miss& forces) const {
     return motion_at(-from_.motion.newton_step(forces.slopes, forces.miss, Symmetry::none));
   }
 
-  static Motion moved(const Motion& motion, double length, const Motion& way) {
-    return {motion.v + length * way.v, motion.rates + length * way.rates,
-            motion.momentum + length * way.momentum};
+  static void move(const Motion& motion, double length, const Motion& way, Motion& there) {
+    there.v = motion.v + length * way.v;
+    there.rates = motion.rates + length * way.rates;
+    there.momentum = motion.momentum + length * way.momentum;
   }
 
-  static const Forces& forces_of(const Motion&, const Forces& forces) { return forces; }
+  static const Miss& forces_of(const Motion&, const Miss& forces) { return forces; }
 
  private:
   Motion motion_at(VecX v) const {
@@ -77,7 +79,7 @@ class SearchByMotion {
 
 std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start) {
   constexpr int most_steps = 30, most_halvings = 12;
-  return newton_point(SearchByMotion(start), most_steps, most_halvings);
+  return newton_point(SearchByMotion(start), start.share, most_steps, most_halvings);
 }
 
 }  // namespace rigor

@@ -27,6 +27,10 @@ constexpr double kBoldRho = 1e3;
 // rounding is still below what counts as solved.
 constexpr double kSlow = 0.3;
 constexpr double kLargestSlowRho = 1e6;
+// Points need not be exact while they come nearer; where they do not, what is left may be a contradiction,
+// which shows only in points that solve their own law.
+constexpr double kRoughShare = 0.1;
+constexpr double kExactShare = 1e-3;
 
 class ProximalPoints {
  public:
@@ -48,13 +52,14 @@ class ProximalPoints {
     constexpr int kMaxPoints = 60, kPatience = 3;
     double growth = kGrowth;
     int stalls = 0, failures = 0;
+    bool is_slow = false;
     for (int point = 1; point <= kMaxPoints; ++point) {
       poll_interrupt();
-      const std::optional<ProximalPoint> next = next_point();
+      const std::optional<ProximalPoint> next = next_point(is_slow ? kExactShare : kRoughShare);
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
         const Offer offer = offer_of(*next);
-        const bool is_slow = !(offer.residual < std::max(kSlow * least(), options_.enough));
+        is_slow = !(offer.residual < std::max(kSlow * least(), options_.enough));
         stalls = offer.residual < 0.5 * least() ? 0 : stalls + 1;
         failures = 0;
         keep(offer, point);
@@ -89,8 +94,8 @@ class ProximalPoints {
   }
 
  private:
-  std::optional<ProximalPoint> next_point() const {
-    const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_};
+  std::optional<ProximalPoint> next_point(double share) const {
+    const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_, share};
     return is_bold_ ? proximal_point_by_forces(start) : proximal_point_by_motion(start);
   }
 

@@ -2,12 +2,15 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/solver/linear/two_doubles.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace rigor {
 
@@ -79,128 +82,179 @@ std::size_t EliminationPattern::pair(int first, int second) const {
   return static_cast<std::size_t>(found - later_.begin());
 }
 
-BlockFactors::BlockFactors(const Block6& A) : LU_(A) {
-  for (int k = 0; k < 6; ++k) {
-    // The largest entry of the column that is left becomes the pivot.
-    int pivot = k;
-    for (int i = k + 1; i < 6; ++i)
-      if (std::abs(LU_(i, k)) > std::abs(LU_(pivot, k))) pivot = i;
-    swapped_[at(k)] = pivot;
-    if (pivot != k) LU_.row(k).swap(LU_.row(pivot));
-    is_regular_ = is_regular_ && std::abs(LU_(k, k)) > 0 && std::isfinite(LU_(k, k));
+std::size_t EliminationPattern::slot(int row_node, int column_node) const {
+  const int row = place(row_node), column = place(column_node);
+  if (row == column) return at(row);
+  return row < column ? node_count() + pair(row, column) : node_count() + pair_count() + pair(column, row);
+}
 
-    // Its row is taken away from those below.
-    for (int i = k + 1; i < 6; ++i) {
-      const double share = LU_(i, k) / LU_(k, k);
-      LU_(i, k) = share;
-      for (int c = k + 1; c < 6; ++c) LU_(i, c) -= share * LU_(k, c);
+namespace {
+
+/// T -= L U, two columns at a time.
+void subtract_product(const Block6& L, const Block6& U, Block6& T) {
+  const double *l = L.data(), *u = U.data();
+  for (int c = 0; c < 6; c += 2) {
+    double* target = T.data() + c;
+    const TwoDoubles u0 = two_of(u + c), u1 = two_of(u + 6 + c), u2 = two_of(u + 12 + c),
+                     u3 = two_of(u + 18 + c), u4 = two_of(u + 24 + c), u5 = two_of(u + 30 + c);
+    for (int r = 0; r < 36; r += 6) {
+      const TwoDoubles product =
+          (l[r] * u0 + l[r + 1] * u1) + (l[r + 2] * u2 + l[r + 3] * u3) + (l[r + 4] * u4 + l[r + 5] * u5);
+      put_two(two_of(target + r) - product, target + r);
     }
   }
 }
 
-template <int columns>
-void BlockFactors::solve_in_place(
-    Eigen::Matrix<double, 6, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& X) const {
-  // Forward with L, the rows exchanged as the factors' were.
-  for (int k = 0; k < 6; ++k)
-    if (swapped_[at(k)] != k) X.row(k).swap(X.row(swapped_[at(k)]));
-  for (int i = 1; i < 6; ++i)
-    for (int k = 0; k < i; ++k) X.row(i) -= LU_(i, k) * X.row(k);
-
-  // Back with U.
-  for (int i = 5; i >= 0; --i) {
-    for (int k = i + 1; k < 6; ++k) X.row(i) -= LU_(i, k) * X.row(k);
-    X.row(i) /= LU_(i, i);
-  }
-}
+}  // namespace
 
 BlockElimination::BlockElimination(const EliminationPattern& pattern, bool is_symmetric)
     : pattern_(pattern),
       is_symmetric_(is_symmetric),
-      pivots_(pattern.node_count(), Block6::Zero()),
-      upper_(pattern.pair_count(), Block6::Zero()),
-      lower_(pattern.pair_count(), Block6::Zero()) {}
+      blocks_(pattern.node_count() + 2 * pattern.pair_count()),
+      swaps_(pattern.node_count()) {
+  restart(is_symmetric);
+}
+
+void BlockElimination::restart(bool is_symmetric) {
+  is_symmetric_ = is_symmetric;
+  const std::size_t count = is_symmetric ? first_lower() : blocks_.size();
+  if (count > 0) std::memset(blocks_.front().data(), 0, count * sizeof(Block6));
+  scales_.clear();
+}
 
 void BlockElimination::add(int row_node, int column_node, const Block6& block) {
-  const int row = pattern_.place(row_node), column = pattern_.place(column_node);
-  if (row == column) {
-    pivots_[at(row)] += block;
-  } else if (row < column) {
-    upper_[pattern_.pair(row, column)] += block;
-  } else if (is_symmetric_) {
-    upper_[pattern_.pair(column, row)] += block.transpose();
-  } else {
-    lower_[pattern_.pair(column, row)] += block;
-  }
+  const std::size_t slot = pattern_.slot(row_node, column_node);
+  if (is_read(slot))
+    blocks_[slot] += block;
+  else
+    blocks_[slot - pattern_.pair_count()] += block.transpose();
 }
 
 bool BlockElimination::factor(const VecX& scales) {
-  scale(scales);
-  factors_.reserve(pattern_.node_count());
+  scales_.resize(pattern_.node_count());
+  for (int node = 0; node < static_cast<int>(scales_.size()); ++node)
+    scales_[at(pattern_.place(node))] = scales.segment<6>(6 * node);
+  scale();
+  return factor();
+}
+
+bool BlockElimination::factor() {
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    if (!factors_.emplace_back(pivots_[place]).is_regular()) return false;
+    if (!factor_pivot(blocks_[place], swaps_[place])) return false;
     eliminate(place);
   }
   return true;
 }
 
-void BlockElimination::scale(const VecX& scales) {
-  scales_.resize(pattern_.node_count());
-  for (int node = 0; node < static_cast<int>(scales_.size()); ++node)
-    scales_[at(pattern_.place(node))] = scales.segment<6>(6 * node);
+void BlockElimination::scale() {
+  Block6* const upper = blocks_.data() + pattern_.node_count();
+  Block6* const lower = blocks_.data() + first_lower();
   for (std::size_t place = 0; place < scales_.size(); ++place) {
     const auto S = scales_[place].asDiagonal();
-    pivots_[place] = S * pivots_[place] * S;
+    blocks_[place] = S * blocks_[place] * S;
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
       const auto S_later = scales_[pattern_.second(i)].asDiagonal();
-      upper_[i] = S * upper_[i] * S_later;
-      if (!is_symmetric_) lower_[i] = S_later * lower_[i] * S;
+      upper[i] = S * upper[i] * S_later;
+      if (!is_symmetric_) lower[i] = S_later * lower[i] * S;
     }
+  }
+}
+
+/// Partial pivoting within the block (Golub and Van Loan, Matrix Computations, 2013, algorithm 3.4.1).
+bool BlockElimination::factor_pivot(Block6& A, Swaps& swapped) {
+  for (int k = 0; k < 6; ++k) {
+    // The largest entry of the column that is left becomes the pivot.
+    int largest = k;
+    for (int i = k + 1; i < 6; ++i)
+      if (std::abs(A(i, k)) > std::abs(A(largest, k))) largest = i;
+    swapped[at(k)] = largest;
+    if (largest != k) A.row(k).swap(A.row(largest));
+    if (!(std::abs(A(k, k)) > 0) || !std::isfinite(A(k, k))) return false;
+
+    // Its row is taken away from those below.
+    for (int i = k + 1; i < 6; ++i) {
+      const double share = A(i, k) / A(k, k);
+      A(i, k) = share;
+      for (int c = k + 1; c < 6; ++c) A(i, c) -= share * A(k, c);
+    }
+  }
+  return true;
+}
+
+/// X ← A⁻¹ X, two columns at a time.
+void BlockElimination::solve_pivot(const Block6& LU, const Swaps& swapped, Block6& X) {
+  for (int k = 0; k < 6; ++k)
+    if (swapped[at(k)] != k) X.row(k).swap(X.row(swapped[at(k)]));
+  for (int c = 0; c < 6; c += 2) {
+    TwoDoubles x[6];
+    for (int i = 0; i < 6; ++i) x[i] = two_of(X.data() + 6 * i + c);
+      // Forward with L, back with U.
+#pragma GCC unroll 6
+    for (int i = 1; i < 6; ++i)
+      for (int k = 0; k < i; ++k) x[i] -= LU(i, k) * x[k];
+#pragma GCC unroll 6
+    for (int i = 5; i >= 0; --i) {
+      for (int k = i + 1; k < 6; ++k) x[i] -= LU(i, k) * x[k];
+      x[i] /= LU(i, i);
+    }
+    for (int i = 0; i < 6; ++i) put_two(x[i], X.data() + 6 * i + c);
+  }
+}
+
+void BlockElimination::solve_pivot(const Block6& LU, const Swaps& swapped, Vec6& x) {
+  for (int k = 0; k < 6; ++k)
+    if (swapped[at(k)] != k) std::swap(x(k), x(swapped[at(k)]));
+  for (int i = 1; i < 6; ++i)
+    for (int k = 0; k < i; ++k) x(i) -= LU(i, k) * x(k);
+  for (int i = 5; i >= 0; --i) {
+    for (int k = i + 1; k < 6; ++k) x(i) -= LU(i, k) * x(k);
+    x(i) /= LU(i, i);
   }
 }
 
 // A_ik ← A_ik - A_ip A_pp⁻¹ A_pk for all later i and k.
 void BlockElimination::eliminate(std::size_t place) {
+  Block6* const upper = blocks_.data() + pattern_.node_count();
+  Block6* const lower = blocks_.data() + first_lower();
   const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1);
   for (std::size_t i = begin; i < end; ++i) {
-    if (is_symmetric_) lower_[i] = upper_[i].transpose();
-    factors_[place].solve_in_place<6>(upper_[i]);
+    if (is_symmetric_) lower[i] = upper[i].transpose();
+    solve_pivot(blocks_[place], swaps_[place], upper[i]);
   }
   const std::size_t* changed = pattern_.changed(place);
   for (std::size_t i = begin; i < end; ++i) {
-    pivots_[pattern_.second(i)].noalias() -= lower_[i] * upper_[i];
+    subtract_product(lower[i], upper[i], blocks_[pattern_.second(i)]);
     for (std::size_t k = i + 1; k < end; ++k) {
       const std::size_t target = *changed++;
-      upper_[target].noalias() -= lower_[i] * upper_[k];
-      if (!is_symmetric_) lower_[target].noalias() -= lower_[k] * upper_[i];
+      subtract_product(lower[i], upper[k], upper[target]);
+      if (!is_symmetric_) subtract_product(lower[k], upper[i], lower[target]);
     }
   }
 }
 
 VecX BlockElimination::solve(const VecX& c) const {
   const int nodes = static_cast<int>(pattern_.node_count());
-  VecX x(c.size());
-  for (int node = 0; node < nodes; ++node)
-    x.segment<6>(6 * pattern_.place(node)) =
-        scales_[at(pattern_.place(node))].cwiseProduct(c.segment<6>(6 * node));
-  const auto part = [&x](std::size_t place) { return x.segment<6>(6 * static_cast<Eigen::Index>(place)); };
+  const Block6* const upper = blocks_.data() + pattern_.node_count();
+  const Block6* const lower = blocks_.data() + first_lower();
+  std::vector<Vec6> x(pattern_.node_count());
+  for (int node = 0; node < nodes; ++node) x[at(pattern_.place(node))] = c.segment<6>(6 * node);
+  for (std::size_t place = 0; place < scales_.size(); ++place)
+    x[place] = scales_[place].cwiseProduct(x[place]);
 
   // Forward with L, back with U.
-  for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    Vec6 solved = part(place);
-    factors_[place].solve_in_place<1>(solved);
-    part(place) = solved;
+  for (std::size_t place = 0; place < x.size(); ++place) {
+    solve_pivot(blocks_[place], swaps_[place], x[place]);
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
-      part(pattern_.second(i)).noalias() -= lower_[i] * solved;
+      x[pattern_.second(i)].noalias() -= lower[i] * x[place];
   }
-  for (std::size_t place = pattern_.node_count(); place-- > 0;)
+  for (std::size_t place = x.size(); place-- > 0;)
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
-      part(place).noalias() -= upper_[i] * part(pattern_.second(i));
+      x[place].noalias() -= upper[i] * x[pattern_.second(i)];
 
+  for (std::size_t place = 0; place < scales_.size(); ++place)
+    x[place] = scales_[place].cwiseProduct(x[place]);
   VecX solution(c.size());
-  for (int node = 0; node < nodes; ++node)
-    solution.segment<6>(6 * node) =
-        scales_[at(pattern_.place(node))].cwiseProduct(x.segment<6>(6 * pattern_.place(node)));
+  for (int node = 0; node < nodes; ++node) solution.segment<6>(6 * node) = x[at(pattern_.place(node))];
   return solution;
 }
 

@@ -23,6 +23,9 @@ class EliminationPattern {
   int place(int node) const { return place_[static_cast<std::size_t>(node)]; }
   /// Number of the pair of two places, the first of which is eliminated before the second.
   std::size_t pair(int first, int second) const;
+  /// Where the block of these nodes stands in an elimination: the pivots by place, then the blocks above the
+  /// diagonal by pair, then those below it.
+  std::size_t slot(int row_node, int column_node) const;
   /// The pairs of a place with those after it are begin(place) ≤ pair < begin(place + 1), with these second
   /// places, in increasing order.
   std::size_t begin(std::size_t place) const { return begin_[place]; }
@@ -39,55 +42,51 @@ class EliminationPattern {
 /// A 6 × 6 block by rows: what elimination does to it, it does to whole rows.
 using Block6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
-/// Factors P A = L U of one block, with partial pivoting (Golub and Van Loan, Matrix Computations, 2013,
-/// algorithm 3.4.1).
-class BlockFactors {
- public:
-  explicit BlockFactors(const Block6& A);
-
-  /// Whether all pivots are finite and not zero.
-  bool is_regular() const { return is_regular_; }
-  /// X ← A⁻¹ X.
-  template <int columns>
-  void solve_in_place(
-      Eigen::Matrix<double, 6, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& X) const;
-
- private:
-  Block6 LU_;                   ///< L below the diagonal, without its ones, and U.
-  std::array<int, 6> swapped_;  ///< With which row each row was exchanged.
-  bool is_regular_ = true;
-};
-
 /// Gaussian elimination of a matrix of 6 × 6 blocks, a block wherever two nodes are coupled, with
 /// pivots within each node's own block. That is stable for matrices whose symmetric part is positive
 /// definite, such as masses with contacts that give way; of others `is_regular` tells whether the pivots
-/// were nonzero, and the caller refines.
+/// were nonzero, and the caller refines. One elimination serves many matrices, one after the other.
 class BlockElimination {
  public:
   /// Holds a reference to the pattern. All blocks are zero.
   BlockElimination(const EliminationPattern& pattern, bool is_symmetric);
 
+  /// Begins with another matrix: all blocks are zero again.
+  void restart(bool is_symmetric);
   /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
   /// different nodes, whichever.
   void add(int row_node, int column_node, const Block6& block);
+  /// The block at a slot of the pattern; of symmetric matrices not those below the diagonal.
+  Block6& block(std::size_t slot) { return blocks_[slot]; }
+  /// Whether a slot is above the diagonal or on it, or the matrix is not symmetric.
+  bool is_read(std::size_t slot) const { return !is_symmetric_ || slot < first_lower(); }
 
+  /// Factors the matrix A as it is, whose unknowns compare like units. Whether all pivots were nonzero and
+  /// finite.
+  bool factor();
   /// Factors S A S with the diagonal S, one number an unknown, such that the pivots of a node compare like
-  /// units. Whether all pivots were nonzero and finite.
+  /// units.
   bool factor(const VecX& scales);
   /// A⁻¹ c (6 × nodes), after `factor`.
   VecX solve(const VecX& c) const;
 
  private:
-  void scale(const VecX& scales);
+  /// With which row each row of a pivot P A = L U was exchanged; L, without its ones, and U stand in its
+  /// block.
+  using Swaps = std::array<int, 6>;
+  std::size_t first_lower() const { return pattern_.node_count() + pattern_.pair_count(); }
+  static bool factor_pivot(Block6& A, Swaps& swapped);
+  static void solve_pivot(const Block6& LU, const Swaps& swapped, Block6& X);
+  static void solve_pivot(const Block6& LU, const Swaps& swapped, Vec6& x);
+  void scale();
   void eliminate(std::size_t place);
 
   const EliminationPattern& pattern_;
   bool is_symmetric_;
-  std::vector<Vec6> scales_;           ///< One a place.
-  std::vector<Block6> pivots_;         ///< A_pp, one a place.
-  std::vector<BlockFactors> factors_;  ///< Of them when their turn came.
-  std::vector<Block6> upper_;          ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
-  std::vector<Block6> lower_;          ///< A_kp; of symmetric matrices from when p is eliminated.
+  std::vector<Vec6> scales_;  ///< One a place; none: 1.
+  std::vector<Block6> blocks_;  ///< By slot. Above the diagonal A_pk, once p is eliminated A_pp⁻¹ A_pk; below
+                                ///< it A_kp, of symmetric matrices from when p is eliminated.
+  std::vector<Swaps> swaps_;  ///< By place.
 };
 
 }  // namespace rigor

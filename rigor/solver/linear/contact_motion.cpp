@@ -47,7 +47,16 @@ VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symm
   return symmetry == Symmetry::positive ? symmetric_solution(H, g) : square_solution(H, g);
 }
 
+SparseMotion::SparseMotion(const ContactRows& rows)
+    : rows_(rows), pattern_(elimination_pattern(rows)), diagonal_(contact_diagonal(rows)) {
+  if (!rows.joints) matrix_.emplace(rows_, pattern_);
+}
+
 VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+  if (matrix_) {
+    matrix_->factor(D, symmetry == Symmetry::positive);
+    return matrix_->solve(g);
+  }
   return NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive).solve(g);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "rigor/solver/linear/contact_matrix.hpp"
 #include "rigor/solver/linear/contact_rows.hpp"
 #include "rigor/solver/linear/node_system.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace rigor {
@@ -46,8 +48,9 @@ class FactoredMotion : public ContactMotion {
 class SparseMotion : public ContactMotion {
  public:
   /// Holds a reference to the rows.
-  explicit SparseMotion(const ContactRows& rows)
-      : rows_(rows), pattern_(elimination_pattern(rows)), diagonal_(contact_diagonal(rows)) {}
+  explicit SparseMotion(const ContactRows& rows);
+  SparseMotion(const SparseMotion&) = delete;
+  SparseMotion& operator=(const SparseMotion&) = delete;
   const EliminationPattern& pattern() const { return pattern_; }
   VecX rates(const VecX& v) const override { return contact_rates(rows_, v); }
   VecX pull(const VecX& lambda) const override { return with_joints(rows_, contact_wrenches(rows_, lambda)); }
@@ -60,6 +63,7 @@ class SparseMotion : public ContactMotion {
   const ContactRows& rows_;
   EliminationPattern pattern_;
   VecX diagonal_;
+  mutable std::optional<ContactMatrix> matrix_;  ///< Of the Newton steps; with joints NodeSystem has them.
 };
 
 /// 1 / mean diagonal of A of each contact (n, [kg] where A is in [1/kg]); a contact whose block vanishes

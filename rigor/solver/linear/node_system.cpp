@@ -1,10 +1,10 @@
 #include "rigor/solver/linear/node_system.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/solver/linear/contact_matrix.hpp"
 
 #include <Eigen/SparseLU>
 
-#include <cmath>
 #include <optional>
 
 namespace rigor {
@@ -34,24 +34,6 @@ void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_f
           add(left.node, right.node, Block6(pushed.lazyProduct(ByRows(right.J))));
     }
   }
-}
-
-/// A power of two near 1/√x, so that scaling with it rounds nothing.
-double power_near_inverse_root(double x) {
-  return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(x))));
-}
-
-/// For each unknown, so that those of translations and rotations have one unit: pivots compare them.
-VecX unknown_scales(const ContactRows& rows) {
-  VecX scales(6 * static_cast<Index>(rows.node_count()));
-  for (std::size_t k = 0; k < rows.node_count(); ++k) {
-    const Mat6& mass = rows.masses[k];
-    const Index first = 6 * static_cast<Index>(k);
-    scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
-    scales.segment<3>(first + 3).setConstant(
-        power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
-  }
-  return scales;
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ MotionModesSystem::Dual MotionModesSystem::evaluate(const VecX& z, const VecX& p
 // The least-norm point of {x : E x = p} in a cone C is proj_C(Eᵀ z) where z minimises the convex, once
 // differentiable  φ(z) = ½|proj_C(Eᵀ z)|² - pᵀz:  Newton's method with a line search. Without such a point z
 // grows without bound.
-std::optional<VecX> MotionModesSystem::find_in_cones() const {
-  constexpr int kMaxSteps = 40, kPatience = 8;
+std::optional<VecX> MotionModesSystem::find_in_cones(int patience) const {
+  constexpr int kMaxSteps = 40;
   constexpr double kRunaway = 1e6;
   if (!is_exact()) return std::nullopt;
   const VecX nearest = project(lambda_);
@@ -205,7 +205,7 @@ std::optional<VecX> MotionModesSystem::find_in_cones() const {
     error = trial_error;
     stalls = error < 0.5 * least_error ? 0 : stalls + 1;
     least_error = std::min(least_error, error);
-    if (stalls > kPatience) break;
+    if (stalls > patience) break;
   }
   return error <= kExact ? std::optional<VecX>(at.lambda) : std::nullopt;
 }

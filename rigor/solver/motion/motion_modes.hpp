@@ -37,8 +37,9 @@ class MotionModesSystem {
   /// Whether the equations hold to round-off: else the rows are too close to dependent for this method, or
   /// contradict each other.
   bool is_exact() const { return miss_ <= kExact; }
-  /// λ (3n) of least norm in the product of the cones; nothing if there is none or it was not found.
-  std::optional<VecX> find_in_cones() const;
+  /// λ (3n) of least norm in the product of the cones; nothing if there is none or it was not found: the
+  /// search ends where so many steps do not halve its error.
+  std::optional<VecX> find_in_cones(int patience = 8) const;
 
  private:
   static constexpr double kExact = 1e-13;

@@ -1,0 +1,147 @@
+#include "rigor/solver/linear/contact_matrix.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/solver/linear/two_doubles.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+double power_near_inverse_root(double x) {
+  return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(x))));
+}
+
+}  // namespace
+
+VecX unknown_scales(const ContactRows& rows) {
+  VecX scales(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Mat6& mass = rows.masses[k];
+    const Index first = 6 * static_cast<Index>(k);
+    scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
+    scales.segment<3>(first + 3).setConstant(
+        power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
+  }
+  return scales;
+}
+
+ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern)
+    : pattern_(pattern), blocks_(pattern, false), scales_(unknown_scales(rows)) {
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const auto S = scales_.segment<6>(6 * static_cast<Index>(k)).asDiagonal();
+    masses_.push_back(S * rows.masses[k] * S);
+  }
+  for (const ContactRows::Sides& sides : rows.contacts) add_sides(sides);
+  first_.push_back(rows_.size());
+}
+
+void ContactMatrix::add_sides(const ContactRows::Sides& sides) {
+  std::vector<const ContactRows::Side*> own;
+  first_.push_back(rows_.size());
+  first_slot_.push_back(slots_.size());
+  for (const ContactRows::Side& side : sides) {
+    if (side.node < 0) continue;
+    own.push_back(&side);
+    rows_.push_back(side.J * scales_.segment<6>(6 * side.node).asDiagonal());
+  }
+  for (const ContactRows::Side* left : own)
+    for (const ContactRows::Side* right : own) slots_.push_back(pattern_.slot(left->node, right->node));
+  pair_of_.push_back(own.size() == 2 ? pair_of(*own[0], *own[1]) : no_pair);
+}
+
+/// The pair whose shift takes the rows of A to those of B, to rounding; none if no shift does.
+int ContactMatrix::pair_of(const ContactRows::Side& A, const ContactRows::Side& B) {
+  constexpr double rounding = 1e-12;
+  if (A.node == B.node) return no_pair;
+  const Mat3 axes = A.J.leftCols<3>();
+  const Mat3 arm = axes.transpose() * (-B.J.rightCols<3>() - A.J.rightCols<3>());
+  const double size = A.J.cwiseAbs().maxCoeff() + B.J.cwiseAbs().maxCoeff();
+  const bool is_shift =
+      (axes + B.J.leftCols<3>()).cwiseAbs().maxCoeff() <= rounding * size &&
+      (axes * arm + A.J.rightCols<3>() + B.J.rightCols<3>()).cwiseAbs().maxCoeff() <= rounding * size;
+  if (!is_shift) return no_pair;
+
+  // A contact of a pair that is known, or of another one.
+  for (std::size_t k = pairs_.size(); k-- > 0;) {
+    const Pair& known = pairs_[k];
+    if (known.A == A.node && known.B == B.node && (known.arm - arm).cwiseAbs().maxCoeff() <= rounding * size)
+      return static_cast<int>(k);
+  }
+  const double linear_A = scales_(6 * A.node), angular_A = scales_(6 * A.node + 3);
+  const double linear_B = scales_(6 * B.node), angular_B = scales_(6 * B.node + 3);
+  pairs_.push_back({A.node, B.node, arm, linear_B / linear_A, angular_B / angular_A,
+                    (angular_B / linear_A) * arm, pattern_.slot(A.node, A.node),
+                    pattern_.slot(B.node, B.node), pattern_.slot(A.node, B.node),
+                    pattern_.slot(B.node, A.node), Block6::Zero(), false});
+  return static_cast<int>(pairs_.size()) - 1;
+}
+
+bool ContactMatrix::factor(const std::vector<Mat3>& D, bool is_symmetric) {
+  blocks_.restart(is_symmetric);
+  for (int node = 0; node < static_cast<int>(masses_.size()); ++node)
+    blocks_.block(pattern_.slot(node, node)) = masses_[at(node)];
+  for (Pair& pair : pairs_) pair.is_used = false;
+  for (std::size_t i = 0; i < D.size(); ++i)
+    if (!D[i].isZero(0)) add_contact(i, D[i]);
+  for (const Pair& pair : pairs_)
+    if (pair.is_used) add_pair(pair);
+  return blocks_.factor();
+}
+
+void ContactMatrix::add_contact(std::size_t contact, const Mat3& D) {
+  const std::size_t begin = first_[contact], end = first_[contact + 1];
+  if (pair_of_[contact] != no_pair) {
+    Pair& pair = pairs_[at(pair_of_[contact])];
+    if (!pair.is_used) pair.sum.setZero();
+    pair.is_used = true;
+    add_product(rows_[begin], D, rows_[begin], pair.sum);
+    return;
+  }
+  const std::size_t* slot = slots_.data() + first_slot_[contact];
+  for (std::size_t left = begin; left < end; ++left)
+    for (std::size_t right = begin; right < end; ++right, ++slot)
+      if (blocks_.is_read(*slot)) add_product(rows_[left], D, rows_[right], blocks_.block(*slot));
+}
+
+/// block += leftᵀ D right, two columns at a time.
+void ContactMatrix::add_product(const Rows& left, const Mat3& D, const Rows& right, Block6& block) {
+  const double *l = left.data(), *r = right.data();
+  for (int c = 0; c < 6; c += 2) {
+    const TwoDoubles r0 = two_of(r + c), r1 = two_of(r + 6 + c), r2 = two_of(r + 12 + c);
+    const TwoDoubles p0 = D(0, 0) * r0 + D(0, 1) * r1 + D(0, 2) * r2,
+                     p1 = D(1, 0) * r0 + D(1, 1) * r1 + D(1, 2) * r2,
+                     p2 = D(2, 0) * r0 + D(2, 1) * r1 + D(2, 2) * r2;
+    double* target = block.data() + c;
+    for (int i = 0; i < 6; ++i, target += 6)
+      put_two(two_of(target) + (l[i] * p0 + l[6 + i] * p1 + l[12 + i] * p2), target);
+  }
+}
+
+/// The four blocks of a pair from its sum: what X does to columns, it does by its three blocks.
+void ContactMatrix::add_pair(const Pair& pair) {
+  const Block6& S = pair.sum;
+  Block6 SX;
+  SX.leftCols<3>() = pair.linear * S.leftCols<3>();
+  SX.rightCols<3>() = S.leftCols<3>().lazyProduct(pair.scaled_arm) + pair.angular * S.rightCols<3>();
+  const auto shifted = [&pair](const Block6& block) {
+    Block6 result;
+    result.topRows<3>() = pair.linear * block.topRows<3>();
+    result.bottomRows<3>() =
+        pair.scaled_arm.transpose().lazyProduct(block.topRows<3>()) + pair.angular * block.bottomRows<3>();
+    return result;
+  };
+  blocks_.block(pair.slot_A) += S;
+  blocks_.block(pair.slot_B) += shifted(SX);
+  if (blocks_.is_read(pair.slot_AB)) blocks_.block(pair.slot_AB) -= SX;
+  if (blocks_.is_read(pair.slot_BA)) blocks_.block(pair.slot_BA) -= shifted(S);
+}
+
+VecX ContactMatrix::solve(const VecX& c) const {
+  return scales_.cwiseProduct(blocks_.solve(scales_.cwiseProduct(c)));
+}
+
+}  // namespace rigor
