@@ -67,7 +67,7 @@ Shape shape_of(int kind) {
 
 // g̈ of two bodies with constant v and ω is the bias alone; both derivatives against differences of the exact
 // distance.
-void expect_gap_derivatives(const Shape& a, const Shape& b, Random& random) {
+void expect_gap_derivatives(const Shape& a, const Shape& b, double apart, Random& random) {
   const auto model = pair_of(a, b);
   BodyKinetics A =
       moving_body(model->body(0), Vec3::Zero(), rotation_matrix(rotation_exp(3 * random.vector())),
@@ -79,12 +79,12 @@ void expect_gap_derivatives(const Shape& a, const Shape& b, Random& random) {
   // corners.
   const BodyShape& shape_a = model->body(0).shapes.front();
   const BodyShape& shape_b = model->body(1).shapes.front();
-  for (const double gap : {-0.01, 1e-9}) {
+  for (const double gap : {-0.01, apart}) {
     const DistanceResult now =
         signed_distance(shape_a.shape, A.pose() * shape_a.X_BS, shape_b.shape, B.pose() * shape_b.X_BS);
     B.x -= (now.distance - gap) * now.n_W;
   }
-  const std::vector<Contact> contacts = find_contacts(*model, 0, 1, A.pose(), B.pose(), 1e-6);
+  const std::vector<Contact> contacts = find_contacts(*model, 0, 1, A.pose(), B.pose(), apart + 1e-6);
   ASSERT_EQ(contacts.size(), 1u);
   const Contact& contact = contacts.front();
 
@@ -106,8 +106,48 @@ TEST(ContactKinematics, GapRatesOfRandomPairsAreThoseOfTheDistance) {
   for (int a = 0; a < 5; ++a) {
     for (int b = 0; b < 5; ++b) {
       SCOPED_TRACE(std::to_string(a) + " on " + std::to_string(b));
-      for (int trial = 0; trial < 8; ++trial) expect_gap_derivatives(shape_of(a), shape_of(b), random);
+      for (int trial = 0; trial < 8; ++trial) expect_gap_derivatives(shape_of(a), shape_of(b), 1e-9, random);
     }
+  }
+}
+
+/// A gap that is open rotates with its normal: its ends are two places, whose velocities differ.
+TEST(ContactKinematics, GapRatesOfPairsThatAreApartAreThoseOfTheDistance) {
+  Random random(13);
+  for (int a = 0; a < 5; ++a) {
+    for (int b = 0; b < 5; ++b) {
+      SCOPED_TRACE(std::to_string(a) + " on " + std::to_string(b));
+      for (int trial = 0; trial < 8; ++trial) expect_gap_derivatives(shape_of(a), shape_of(b), 0.03, random);
+    }
+  }
+}
+
+/// A cone that leans with the rim of its base and turns about its axis: the rim bends about the axis,
+/// wherever on it the cone touches.
+TEST(ContactKinematics, TheRimOfATurningConeIsTrackedAsItIsFoundAnew) {
+  Random random(14);
+  for (int trial = 0; trial < 50; ++trial) {
+    const double radius = 0.3 + 0.2 * random.number();
+    const auto model = pair_of(Box{Vec3(2, 2, 0.5)}, Cone{radius, 0.3 + 0.2 * random.number()});
+    const BodyKinetics A =
+        moving_body(model->body(0), Vec3::Zero(), Mat3::Identity(), 0.2 * random.vector(), random.vector());
+    const double tilt = 0.35 + 0.25 * random.number();
+    BodyKinetics B = moving_body(model->body(1), Vec3(0.1, -0.2, 2),
+                                 rotation_matrix(rotation_exp(tilt * Vec3::UnitY())) *
+                                     rotation_matrix(rotation_exp(3 * random.number() * Vec3::UnitZ())),
+                                 0.2 * random.vector(), random.vector());
+    B.w += 20 * B.R.col(2);
+    B.x.z() -= gap_of(*model, A, B);
+    const std::vector<Contact> contacts = find_contacts(*model, 0, 1, A.pose(), B.pose(), 1e-6);
+    ASSERT_EQ(contacts.size(), 1u);
+    const BodyKinetics A1 = later(A, 0.004), B1 = later(B, 0.004);
+    const ContactPoint tracked =
+        tracked_contact(*model, contacts.front(), A.pose(), B.pose(), A1.pose(), B1.pose());
+    const std::vector<Contact> anew = find_contacts(*model, 0, 1, A1.pose(), B1.pose(), 0.01);
+    ASSERT_EQ(anew.size(), 1u);
+    EXPECT_NEAR(tracked.gap, gap_of(*model, A1, B1), 1e-12);
+    EXPECT_LE((tracked.p_WB - anew.front().point.p_WB).norm(), 1e-10);
+    EXPECT_LE((tracked.curvature_B.radius_W - anew.front().point.curvature_B.radius_W).norm(), 1e-10);
   }
 }
 

@@ -80,7 +80,7 @@ WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics&
 WitnessMotion witness_motion(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
   const ContactPoint& point = contact.point;
   const Vec3& n = point.n_W;
-  const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+  const Vec3 u_W = B.velocity_at(point.p_WB) - A.velocity_at(point.p_WA);
   const Vec3 u_t = u_W - n.dot(u_W) * n;
 
   // A face carries the normal with it; the other surface follows, the face gives way.
@@ -106,9 +106,14 @@ Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const Body
   const WitnessMotion motion = witness_motion(contact, A, B);
   const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
 
+  // The point midway between the witness points, along the normal from both, moves on the bodies a little
+  // otherwise than they do.
+  const Vec3 &n = point.n_W, of_gap_B = 0.5 * point.gap * (B.w.cross(n) - motion.n_rate),
+             of_gap_A = 0.5 * point.gap * (A.w.cross(n) - motion.n_rate);
+
   // d/dt of Cᵀ (v_B + ω_B × r_B - v_A - ω_A × r_A) without v̇ and ω̇.
-  const Vec3 of_B = B.w.cross(B.w.cross(contact.p_W() - B.x) + motion.s_B);
-  const Vec3 of_A = A.w.cross(A.w.cross(contact.p_W() - A.x) + motion.s_A);
+  const Vec3 of_B = B.w.cross(B.w.cross(contact.p_W() - B.x) + motion.s_B + of_gap_B);
+  const Vec3 of_A = A.w.cross(A.w.cross(contact.p_W() - A.x) + motion.s_A - of_gap_A);
   Vec3 bias = frame_with_z(point.n_W).transpose() * (of_B - of_A);
   bias.z() += motion.n_rate.dot(u_W);
   return bias;
@@ -170,15 +175,15 @@ struct LeaningCircle {
 };
 
 /// Such a circle through p_W, if the contact is at one: its normal rotates about the axis, so neither at a
-/// face nor at an edge. (A cone leans with the rim of its base, which its support finds.)
+/// face nor at an edge, nor at the tip of a cone.
 std::optional<LeaningCircle> leaning_circle(const BodyShape& shape, const SurfaceCurvature& surface,
                                             const Pose& X_WB, const Vec3& p_W) {
   if (!has_core(shape.shape) || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
   const ConvexCore core = make_core(shape.shape);
-  if (core.kind != ConvexCore::Kind::rings || (core.rings.empty() && !is_cylinder(core))) return std::nullopt;
+  if (core.kind != ConvexCore::Kind::rings) return std::nullopt;
   const Pose X_WS = X_WB * shape.X_BS;
   const Vec3 axis = X_WS.R.col(2);
-  if (core.rings.empty()) return LeaningCircle{axis, X_WS.p, core.size.x()};
+  if (is_cylinder(core)) return LeaningCircle{axis, X_WS.p, core.size.x()};
   const Vec3 p_S = p_W - X_WS.p;
   return LeaningCircle{axis, X_WS.p, (p_S - p_S.dot(axis) * axis).norm()};
 }

@@ -18,9 +18,10 @@ Vec3 relative_velocity(const Contact& contact, const BodyKinetics& A, const Body
 /// The normal rotates at ṅ and the witness points move on their bodies at s_A, s_B (tangential) with
 ///   s_A = H_A (ṅ - ω_A × n) + D_A α,   s_B = -H_B (ṅ - ω_B × n) + D_B β,
 ///   u_t + s_B - s_A = g ṅ,   D_Aᵀ (ṅ - ω_A × n) = 0,   D_Bᵀ (ṅ - ω_B × n) = 0,
-/// where H are the finite radii of curvature and D the flat directions of SurfaceCurvature.
-/// Source: Montana, The Kinematics of Contact and Grasp, IJRR 7(3), 1988, in the support-function form (radii
-/// instead of curvatures, so that vertices, edges and faces are ordinary cases).
+/// with the relative velocity u_t of the witness points, where H are the finite radii of curvature and D the
+/// flat directions of SurfaceCurvature. Source: Montana, The Kinematics of Contact and Grasp, IJRR 7(3),
+/// 1988, in the support-function form (radii instead of curvatures, so that vertices, edges and faces are
+/// ordinary cases).
 Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B);
 
 /// ṅ: how fast the normal of the contact rotates as the closest points move along the surfaces [rad/s].

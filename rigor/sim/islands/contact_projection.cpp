@@ -47,7 +47,8 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   const auto energy = [&](const std::vector<BodyPhase>& phases) {
     return energy_of_bodies(model_, environment_, island.bodies, phases);
   };
-  const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
+  const double gained =
+      energy(step.end) - std::max(energy(drifted), energy(island.start) + step.work.supplied);
   if (gained <= 0) return;
 
   // Bodies whose motion cannot pay for it stay where the step has left them.
