@@ -46,7 +46,7 @@ std::string summary(const Scene& scene) {
       "{} {} ({} dynamic, {} kinematic, {} static), {} shapes, {} joints, {} forces; {:g} s in {}",
       bodies.size(), bodies.size() == 1 ? "body" : "bodies", count(MotionType::dynamic),
       count(MotionType::kinematic), count(MotionType::fixed), shapes, scene.model->joints().size(),
-      scene.model->forces().size(), scene.run.duration,
+      scene.model->forces().size() + scene.model->drives().forces.size(), scene.run.duration,
       method_choice(resolve_scheme(*scene.model, scene.method).method, "scheme"));
 }
 
