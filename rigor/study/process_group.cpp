@@ -53,7 +53,7 @@ bool receive(int from, Tag tag, std::string& bytes, int& sender) {
 
 /// Waits without keeping a processor busy, which belongs to the runs: MPI's own waiting would.
 void nap() {
-  std::this_thread::sleep_for(std::chrono::microseconds(50));
+  std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
 /// Rows one after the other, each with its length.
@@ -89,7 +89,7 @@ class MessageSize {
     ++count_;
   }
   int tasks() const {
-    constexpr double message_time = 5e-3, shortest_run = 2e-5;
+    constexpr double message_time = 20e-3, shortest_run = 2e-5;
     if (count_ == 0) return 1;
     return static_cast<int>(std::max(1.0, message_time / std::max(shortest_run, time_ / count_)));
   }
@@ -168,8 +168,10 @@ class ProcessCrew : public Crew {
   /// Tasks for one message; empty if there are none.
   std::string next_tasks(const TaskSource& source) {
     std::string bytes;
+    // One lock for all of them: the thread that works here takes it all the time.
+    const std::scoped_lock lock(mutex_);
     for (int left = message_.tasks(); left > 0; --left) {
-      const std::optional<RunTask> task = next_of(source);
+      const std::optional<RunTask> task = source.next();
       if (!task) break;
       pack(as_row(*task), bytes);
     }

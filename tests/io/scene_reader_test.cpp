@@ -330,24 +330,6 @@ TEST(Overrides, DoNotReachThroughAliases) {
   EXPECT_EQ(model->body(1).bounding_radius, 2);
 }
 
-TEST(Overrides, OfOneNumberOfAListThatIsMissingKeepItsDefault) {
-  const std::string text =
-      "rigor: 1\nworld: {gravity: [0, 0, -1]}\nbodies:\n"
-      "  - {name: a, inertia: {mass: 2, moments: [1, 1, 1]}}\n"
-      "  - {name: b, shapes: [{type: sphere, radius: 1}]}\n";
-  const std::shared_ptr<const Model> model =
-      scene_of(text, {"bodies.a.velocity.2=3", "bodies.a.position.0=-4", "bodies.a.orientation[1]=1",
-                      "bodies.a.orientation.0=0", "bodies.b.angular_velocity.1=5"})
-          .model;
-  const State state = make_initial_state(*model);
-  EXPECT_EQ(state.position(0), Vec3(-4, 0, 0));
-  EXPECT_EQ(linear_velocity(*model, state, 0), Vec3(0, 0, 3));
-  EXPECT_EQ(angular_velocity(*model, state, 1), Vec3(0, 5, 0));
-  EXPECT_NEAR(std::abs(state.orientation(0).x()), 1, 1e-15);
-  EXPECT_EQ(message_of(text, {"bodies.a.velocity.3=1"}),
-            "--set bodies.a.velocity.3=1: index 3, but the list has 3 entries (the first is 0)");
-}
-
 TEST(Overrides, TellTheirMistakes) {
   const std::string text = kEverything;
   const auto message = [&](const std::string& override_text) { return message_of(text, {override_text}); };
