@@ -16,7 +16,7 @@ backspin 0.4
 ball_on_two 0.42
 billiards 0.25
 bouncing_ball 0.35
-bowl 0.3
+bowl 0.3 --eye=2,-3,3.6 --target=0,0,-0.3
 bowling 0.3
 bricard 2
 bridge 3
