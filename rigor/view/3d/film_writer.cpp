@@ -1,5 +1,6 @@
 #include "rigor/view/3d/film_writer.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/output_file.hpp"
@@ -26,8 +27,13 @@ void FilmWriter::close(const Audit&) {
   const PictureSize size;
   Photographer photographer(motion, {}, size);
   MovieFile film(path_, size.width, size.height);
-  for (const std::size_t frame : even_frames(motion, film_frames(motion)))
-    film.add(photographer.picture(frame));
+  try {
+    for (const std::size_t frame : even_frames(motion, film_frames(motion)))
+      film.add(photographer.picture(frame));
+  } catch (const Interrupted&) {
+    film.give_up();
+    throw;
+  }
   film.close();
 }
 

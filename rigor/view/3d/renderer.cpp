@@ -1,6 +1,7 @@
 #include "rigor/view/3d/renderer.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -134,6 +135,7 @@ void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) 
 void Renderer::see(const Projection& projection, int width, int height) {
   Occlusion occlusion(grids_, width, height);
   for (const ShownShape& placed : placed_) {
+    poll_interrupt();
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
       see_ball(placed, sphere->radius, projection, occlusion);
     } else if (placed.shape->surface) {
@@ -264,6 +266,7 @@ void Renderer::fill_all(std::span<const Vec2> corners, const NearnessPlane& plan
 void Renderer::develop(const Shader& shader, Image& image) const {
   std::vector<Color> colors(static_cast<std::size_t>(image.width));
   for (int row = 0; row < image.height; ++row) {
+    poll_interrupt();
     color_row(shader, row, colors);
     std::uint8_t* out = image.pixel(0, row);
     for (const Color& color : colors) {
