@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -47,6 +48,9 @@ class BulkWorld {
   void set_target(int body, const Vec3& x, const Quat& q);
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
+  /// Is called after each part of a step that is taken in parts but the last: the bodies are where they are
+  /// then.
+  void set_part_observer(std::function<void()> observer) { after_part_ = std::move(observer); }
   void read(const State& state);
   void write(State& state) const;
   /// The bodies alone: where they are and how they move.
@@ -71,7 +75,7 @@ class BulkWorld {
 
  private:
   struct Scratch;
-  BulkStepReport step_in_parts(double h, double whole, int parts);
+  BulkStepReport step_in_parts(double h, double whole, double least);
   BulkStepReport take_step(double h, double whole);
   void stop_passing(double h);
   double pair_margin(double h) const;
@@ -93,6 +97,7 @@ class BulkWorld {
   double t_ = 0;  ///< [s].
   BulkBodies bodies_;
   ManifoldMemories memory_;
+  std::function<void()> after_part_;
   std::unique_ptr<Scratch> scratch_;
 };
 

@@ -15,17 +15,20 @@ namespace rigor {
 /// Keeps bodies from passing through each other within a step (docs/theory/bulk.md, section 9). Contacts are
 /// those of the beginning of the step; a body that moves farther than it is thick may meet others elsewhere.
 /// It is stopped where it first overlaps one of them by a quarter of the thinner one's thickness, with its
-/// velocity, and the contact there is one of the next step.
+/// velocity, and the contact there is one of the next step. From where it meets a driven body so, which
+/// nothing stops, that takes it along.
 class PassingGuard {
  public:
   explicit PassingGuard(const Model& model);
 
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch) { may_touch_ = std::move(may_touch); }
-  /// Into how many equal parts a step of h [s] is to be divided, so that bodies of joints turn little within
-  /// one and kinematic ones, which nothing stops, do not pass what they push. 1 unless such a body is near
-  /// another.
-  int parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
+  /// How long the next part of a step may be of which h [s] are left, so that bodies of joints turn little
+  /// within one, and kinematic ones, which nothing stops, do not pass what they push nor leave the contacts
+  /// that were found with it. h unless such a body is near another. pairs: those that may meet within h.
+  double longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
+  /// Whether there are kinematic bodies.
+  bool has_driven() const { return has_driven_; }
   /// At the beginning of a step of h [s]: how far bodies go at their present velocities.
   void begin(const BulkBodies& bodies, double h);
 
@@ -46,6 +49,9 @@ class PassingGuard {
     double share = 1;
     bool is_checked = false;
   };
+  double part_of_jointed(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const;
+  double part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies, double h) const;
+  double distance_of(const ShapePair& pair, const BulkBodies& bodies) const;
   double thickness(int body, int shape) const { return thickness_[at(first_shape_[at(body)] + shape)]; }
   double thinner(const ShapePair& pair) const;
   bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
@@ -55,7 +61,9 @@ class PassingGuard {
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   double free_share(const FarPair& pair, const BulkBodies& bodies) const;
-  bool shorten(const FarPair& pair, const BulkBodies& bodies);
+  bool shorten(const FarPair& pair, BulkBodies& bodies);
+  bool is_taken_along(int body, int driver, const BulkBodies& bodies) const;
+  void take_along(int body, int driver, double share, BulkBodies& bodies);
 
   const Model* model_;
   PairFilter filter_;
@@ -69,6 +77,7 @@ class PassingGuard {
   std::vector<int> group_;           ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
   double least_thickness_;       ///< That any pair may have [m].
+  bool has_driven_ = false;      ///< Whether there are kinematic bodies.
   bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].
@@ -79,6 +88,7 @@ class PassingGuard {
   std::vector<int> near_;
   std::vector<FarPair> far_;
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
+  std::vector<int> changes_;    ///< How often the displacement was changed, by its group.
   std::vector<Stopped> stopped_;
 };
 
