@@ -5,6 +5,8 @@
 #include "apps/compare_table.hpp"
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
+#include "rigor/core/interrupt.hpp"
+#include "rigor/core/quoted.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/output_file.hpp"
 
@@ -69,21 +71,31 @@ void print_comparison(const CompareOptions& options, const Comparison& compariso
   if (!options.is_quiet) fmt::print(stream, "{}", compare_table(comparison, width, stream));
 }
 
-/// Writes all files, even after one of them fails; whether all were written.
-bool write_files(const CompareOptions& options, const Comparison& comparison) {
-  bool is_done = true;
+/// Writes all files, even after one of them fails; how that ended.
+ExitCode write_files(const CompareOptions& options, const Comparison& comparison,
+                     const CompareRunner& runner) {
+  ExitCode end = exit_done;
+  const std::function<bool()> has_to_end = [&runner] { return runner.has_to_end_writing(); };
   const auto attempt = [&](const auto& write) {
     try {
       write();
     } catch (const FileError& error) {
       print_error(error.what());
-      is_done = false;
+      end = exit_file_error;
     }
   };
-  for (const std::string& output : options.outputs) attempt([&] { write_comparison(comparison, output); });
+  for (const std::string& output : options.outputs) {
+    try {
+      const InterruptScope scope(has_to_end);
+      attempt([&] { write_comparison(comparison, output); });
+    } catch (const Interrupted&) {
+      print_error(fmt::format("interrupted: {} was not written", quoted_text(output)));
+      if (end == exit_done) end = exit_interrupted;
+    }
+  }
   if (!options.json.empty() && options.json != "-")
     attempt([&] { write_text(options.json, compare_json(comparison, true)); });
-  return is_done;
+  return end;
 }
 
 /// Reports the runs that failed in some way, and returns the exit code.
@@ -124,9 +136,9 @@ ExitCode execute(const CompareOptions& options) {
   const Comparison comparison = run_all(std::move(plan), runner);
   if (comparison.runs.empty()) return report_ends(comparison);
   print_comparison(options, comparison);
-  const bool is_written = write_files(options, comparison);
+  const ExitCode of_files = write_files(options, comparison, runner);
   const ExitCode end = report_ends(comparison);
-  return is_written ? end : exit_file_error;
+  return of_files == exit_done ? end : of_files;
 }
 
 }  // namespace rigor

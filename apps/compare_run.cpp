@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/view/page/page_run.hpp"
 
@@ -231,7 +232,15 @@ ComparedRun CompareRunner::execute(const PlannedRun& planned) {
   run.relative_rise = relative_rise(run.audit, course.energy_scale);
   run.difference = motion_.finish();
   if (measure) run.error = measure->error();
-  if (page) run.page = page->finish(run.audit);
+  if (page) {
+    const std::function<bool()> has_to_end = [this] { return has_to_end_writing(); };
+    const InterruptScope scope(has_to_end);
+    try {
+      run.page = page->finish(run.audit);
+    } catch (const Interrupted&) {
+      // The page shows the other runs.
+    }
+  }
   return run;
 }
 

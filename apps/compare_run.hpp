@@ -82,6 +82,8 @@ class CompareRunner {
   /// References must be prepared before.
   ComparedRun execute(const PlannedRun& planned);
   bool was_interrupted() const { return interrupt_.is_requested(); }
+  /// Whether the writing of pages and pictures has to end, too.
+  bool has_to_end_writing() const { return interrupt_.is_requested_since(grace_of_writing); }
 
  private:
   /// A reference that is ready for use.

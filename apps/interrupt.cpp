@@ -1,7 +1,11 @@
 #include "apps/interrupt.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+
+#include <time.h>
 
 namespace rigor {
 
@@ -9,12 +13,22 @@ namespace {
 
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
-// A signal handler can reach nothing but a variable of the whole program.
+/// Time that no one sets [ms].
+std::int64_t milliseconds_now() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+// A signal handler can reach nothing but variables of the whole program.
 volatile std::sig_atomic_t interrupt_count = 0;
+std::atomic<std::int64_t> interrupt_time = 0;  ///< Of the first one [ms].
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 void note_interrupt(int signal) {
   // The next signal has its default effect.
   std::signal(signal, SIG_DFL);
+  if (interrupt_count == 0) interrupt_time = milliseconds_now();
   interrupt_count = interrupt_count + 1;
 }
 
@@ -37,6 +51,10 @@ InterruptWatch::~InterruptWatch() {
 
 bool InterruptWatch::is_requested() const {
   return interrupt_count > 0;
+}
+
+bool InterruptWatch::is_requested_since(std::chrono::milliseconds time) const {
+  return is_requested() && milliseconds_now() - interrupt_time >= time.count();
 }
 
 }  // namespace rigor

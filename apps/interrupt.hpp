@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 
 namespace rigor {
@@ -14,9 +15,15 @@ class InterruptWatch {
   ~InterruptWatch();
 
   bool is_requested() const;
+  /// Whether it was requested this long ago.
+  bool is_requested_since(std::chrono::milliseconds time) const;
 
  private:
   struct sigaction previous_[3];
 };
+
+/// Pages and pictures are made of the whole run at its end. So long after a signal those of a short run are
+/// still finished; longer ones are given up, so that the program ends when it is asked to.
+inline constexpr std::chrono::milliseconds grace_of_writing{400};
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
+#include "rigor/core/quoted.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/io/trajectory/fingerprint.hpp"
 
@@ -55,6 +56,8 @@ void print_sparkline(const RunOptions& options, const RunSparkline& course) {
 
 /// Reports why a run failed, and returns the exit code.
 ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const Audit& audit) {
+  for (const std::string& name : recorder.given_up())
+    print_error(fmt::format("interrupted: {} was not written", quoted_text(name)));
   if (!recorder.file_error().empty()) {
     print_error(recorder.file_error());
     return exit_file_error;
@@ -63,7 +66,7 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
     print_error(stop_text(result.audit, result.state.t));
     return exit_stopped;
   }
-  if (result.was_stopped && recorder.was_interrupted()) {
+  if (recorder.was_interrupted() && (result.was_stopped || !recorder.given_up().empty())) {
     print_error(fmt::format("interrupted at t = {:.9g} s; the files are closed", result.state.t));
     return exit_interrupted;
   }

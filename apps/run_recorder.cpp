@@ -1,6 +1,7 @@
 #include "apps/run_recorder.hpp"
 
 #include "apps/terminal.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/text_file.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
@@ -34,12 +35,6 @@ TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   return header;
 }
 
-std::unique_ptr<TrajectoryWriter> make_output(const std::filesystem::path& path,
-                                              const TrajectoryHeader& header, const Scene& scene) {
-  if (is_picture(path)) return make_picture_writer(path, scene);
-  return make_trajectory_writer(path, header);
-}
-
 /// Whether the scene names a scheme with events where `auto` would leave them to equal steps if they crowd.
 bool names_events(const Scene& scene) {
   if (scene.method.scheme != Scheme::event_driven && scene.method.scheme != Scheme::hybrid) return false;
@@ -65,10 +60,11 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
     const TrajectoryHeader header = make_header(options, scene);
     for (const std::string& output : options.outputs) {
       if (std::filesystem::path(output).extension() == page_suffixes[0]) {
-        pages_.emplace_back(output, scene);
+        pages_.emplace_back(output, PageWriter(output, scene));
+      } else if (is_picture(output)) {
+        pictures_.emplace_back(output, make_picture_writer(output, scene));
       } else {
-        writers_.push_back(make_output(output, header, scene));
-        (is_picture(output) ? has_pictures_ : has_trajectory_) = true;
+        writers_.push_back(make_trajectory_writer(output, header));
       }
     }
   }
@@ -97,13 +93,14 @@ bool RunRecorder::observe(const State& state, const AdvanceReport& since, const 
 }
 
 void RunRecorder::record(const State& state, const AdvanceReport& since, const Auditor& auditor) {
-  if (!writers_.empty()) {
+  if (!writers_.empty() || !pictures_.empty()) {
     TrajectorySample sample = make_sample(*scene_.model, state, auditor.energy());
     sample.penetration = since.max_penetration;
-    if (has_trajectory_) add_joint_motion(*scene_.model, scene_.method, state, sample);
+    for (const auto& [name, picture] : pictures_) picture->write(sample, since.events);
+    if (!writers_.empty()) add_joint_motion(*scene_.model, scene_.method, state, sample);
     for (const auto& writer : writers_) writer->write(sample, since.events);
   }
-  for (PageWriter& page : pages_) page.write(state, since, auditor.energy());
+  for (auto& [name, page] : pages_) page.write(state, since, auditor.energy());
   // The cause of the stop would only stop a resumed run again.
   if (!options_.checkpoint_every || since.reason != StopReason::reached_end) return;
   if (state.t >= scene_.run.duration) return;  // finish() writes it.
@@ -132,6 +129,26 @@ void RunRecorder::show_progress(const State& state, const AdvanceReport& since, 
   progress_line_.update(progress_);
 }
 
+/// Pictures and pages, which take as long as the run is large: a signal ends their writing.
+void RunRecorder::write_views(const Audit& audit) {
+  const std::function<bool()> has_to_end = [this] { return interrupt_.is_requested_since(grace_of_writing); };
+  const InterruptScope scope(has_to_end);
+  std::optional<FileError> first_error;
+  const auto attempt = [&](const std::string& name, const auto& write) {
+    try {
+      poll_interrupt();
+      write();
+    } catch (const FileError& error) {
+      if (!first_error) first_error = error;
+    } catch (const Interrupted&) {
+      given_up_.push_back(name);
+    }
+  };
+  for (const auto& [name, picture] : pictures_) attempt(name, [&] { picture->close(audit); });
+  for (auto& [name, page] : pages_) attempt(name, [&] { page.close(audit); });
+  if (first_error) throw *first_error;
+}
+
 Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string>& warnings) {
   progress_line_.clear();
   Audit audit = whole(result.audit);
@@ -146,13 +163,9 @@ Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string
   if (!options_.checkpoint.empty() && can_go_on) {
     attempt([&] { write_checkpoint_at(result.resumable, whole(result.resumable_audit)); });
   }
-  // Pages and pictures are made of the whole run at its end, which may take a while.
-  if (was_interrupted() && (!pages_.empty() || has_pictures_))
-    print_warning(
-        "interrupted: the page or picture is being written; a second signal ends the program at once");
   audit.warnings.insert(audit.warnings.begin(), warnings.begin(), warnings.end());
   for (const auto& writer : writers_) attempt([&] { writer->close(audit); });
-  for (PageWriter& page : pages_) attempt([&] { page.close(audit); });
+  attempt([&] { write_views(audit); });
   if (json_) {
     attempt([&] {
       json_->append(fmt::format("{}\n", audit_json(audit)));

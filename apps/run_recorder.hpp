@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -35,11 +36,14 @@ class RunRecorder {
   /// Energy and penetration over the run.
   const RunSparkline& course() const { return course_; }
   bool was_interrupted() const { return interrupt_.is_requested(); }
+  /// Pages and pictures that a signal left unwritten.
+  const std::vector<std::string>& given_up() const { return given_up_; }
   /// The error of a file, or empty.
   const std::string& file_error() const { return file_error_; }
 
  private:
   void record(const State& state, const AdvanceReport& since, const Auditor& auditor);
+  void write_views(const Audit& audit);
   void show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor);
   void write_checkpoint_at(const State& state, const Audit& audit);
   Audit whole(Audit audit) const;
@@ -53,10 +57,11 @@ class RunRecorder {
   ProgressLine progress_line_;
   Progress progress_;
   RunSparkline course_;
-  std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
-  bool has_trajectory_ = false;  ///< Whether a writer needs the joints; pictures do not.
-  bool has_pictures_ = false;
-  std::vector<PageWriter> pages_;
+  std::vector<std::unique_ptr<TrajectoryWriter>> writers_;  ///< Of motions.
+  /// Pictures and films, which are made of the whole run at its end, by their names.
+  std::vector<std::pair<std::string, std::unique_ptr<TrajectoryWriter>>> pictures_;
+  std::vector<std::pair<std::string, PageWriter>> pages_;
+  std::vector<std::string> given_up_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.
   std::string file_error_;

@@ -7,6 +7,7 @@
 namespace rigor {
 
 void BulkStepReport::add(const BulkStepReport& later) {
+  parts += later.parts;
   pair_count = later.pair_count, manifold_count = later.manifold_count, point_count = later.point_count;
   direct_islands = later.direct_islands, sleeping_count = later.sleeping_count;
   impacts.insert(impacts.end(), later.impacts.begin(), later.impacts.end());

@@ -10,7 +10,7 @@ namespace rigor {
 
 /// What happened in a step.
 struct BulkStepReport {
-  int parts = 1;           ///< Equal parts in which the step was taken (PassingGuard::parts_of).
+  int parts = 1;           ///< Parts in which the step was taken (PassingGuard::longest_part).
   int pair_count = 0;      ///< Pairs of shapes whose boxes overlap.
   int manifold_count = 0;  ///< Manifolds that have points.
   int point_count = 0;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,9 @@ namespace {
 /// The margin is how far a body falls from rest in this many steps, so that points are found before they
 /// touch.
 constexpr double margin_steps = 2;
+
+/// No part of a step is shorter than this share of it; a sum of parts is known up to its rounding.
+constexpr double most_parts = 1024, part_rounding = 1e-9;
 
 }  // namespace
 
@@ -152,27 +156,43 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   // Kinematic bodies come first, since pairs are found and matched with their velocities.
   s.prescribed.place(*model_, t_, h, h, bodies_);
   find_contacts(h);
-  const int parts = s.passing.parts_of(bodies_, s.pairs, h);
-  BulkStepReport report = parts > 1 ? step_in_parts(h, whole, parts) : take_step(h, whole);
+  const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
+  BulkStepReport report = is_divided ? step_in_parts(h, whole, h / most_parts) : take_step(h, whole);
   // What was given for this step ends with it.
   s.forces.clear_given();
   s.prescribed.arrive(bodies_);
   return report;
 }
 
-/// A step in equal parts, each with its own contacts.
-BulkStepReport BulkWorld::step_in_parts(double h, double whole, int parts) {
+/// A step in parts, each with its own contacts and no shorter than `least`. Those of a world with driven
+/// bodies are as long as their neighbours need it then; else they are equal.
+BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
   Scratch& s = *scratch_;
   BulkStepReport report;
-  memory_ = memory_.scaled(1 / static_cast<float>(parts));
-  for (int k = 0; k < parts; ++k) {
-    if (k > 0) poll_interrupt();
-    s.prescribed.place(*model_, t_, h / parts, h * (parts - k) / parts, bodies_);
-    find_contacts(h / parts);
-    report.add(take_step(h / parts, whole / parts));
+  report.parts = 0;
+  double left = h, last = h, parts_left = 0;
+  while (left > 0) {
+    // What is left is divided evenly, so that no part is a splinter.
+    if (report.parts == 0 || s.passing.has_driven()) {
+      if (report.parts > 0) find_contacts(left);
+      const double longest = std::max(least, s.passing.longest_part(bodies_, s.pairs, left));
+      parts_left = std::ceil((1 - part_rounding) * left / longest);
+    }
+    const double part = left / parts_left;
+    s.prescribed.place(*model_, t_, part, left, bodies_);
+    find_contacts(part);
+    // Forces of the part before acted for a longer or shorter time.
+    memory_ = memory_.scaled(static_cast<float>(part / last));
+    report.add(take_step(part, whole * (part / h)));
+    last = part;
+    left = parts_left > 1 ? left - part : 0;
+    --parts_left;
+    if (left == 0) break;
+    if (after_part_) after_part_();
+    poll_interrupt();
+    s.prescribed.place(*model_, t_, left, left, bodies_);
   }
-  memory_ = memory_.scaled(static_cast<float>(parts));
-  report.parts = parts;
+  memory_ = memory_.scaled(static_cast<float>(h / last));
   return report;
 }
 

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -47,6 +48,9 @@ class BulkWorld {
   void set_target(int body, const Vec3& x, const Quat& q);
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
+  /// Is called after each part of a step that is taken in parts but the last: the bodies are where they are
+  /// then.
+  void set_part_observer(std::function<void()> observer) { after_part_ = std::move(observer); }
 
   // After the Model was changed in place (ModelEditor). It keeps its number of bodies, and every shape that
   // it has had stays alive. All of it takes effect as a fresh world of the changed Model would have it.
@@ -95,7 +99,7 @@ class BulkWorld {
  private:
   struct Scratch;
   void forget_contacts_of_changed();
-  BulkStepReport step_in_parts(double h, double whole, int parts);
+  BulkStepReport step_in_parts(double h, double whole, double least);
   BulkStepReport take_step(double h, double whole);
   void stop_passing(double h);
   double pair_margin(double h) const;
@@ -125,6 +129,7 @@ class BulkWorld {
   double t_ = 0;  ///< [s].
   BulkBodies bodies_;
   ManifoldMemories memory_;
+  std::function<void()> after_part_;
   std::unique_ptr<Scratch> scratch_;
 };
 

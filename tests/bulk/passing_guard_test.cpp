@@ -149,6 +149,44 @@ TEST(PassingGuard, NoDrivenBladePassesABodyInWholeTurns) {
   }
 }
 
+/// A thin kinematic blade strikes bodies and takes them along, through steps in which it goes farther than
+/// they are thick: few overlap by more than the audit allows, and none by much more.
+TEST(PassingGuard, NoDrivenBladeSinksFarIntoWhatItTakesAlong) {
+  Draw draw(5);
+  int deep = 0;  // More than the audit allows.
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 1000, draw.below(2) == 0 ? 0 : 0.8, draw.below(2) == 0 ? 0 : 0.5});
+    const double length = draw.between(0.3, 1), width = draw.between(0.06, 0.2), spin = draw.spread(30, 300);
+    BodyDescription blade =
+        random_body("blade", Box{0.5 * Vec3(2 * length, draw.between(1e-3, 3e-3), width)}, Vec3::Zero());
+    blade.motion = MotionType::kinematic;
+    blade.angular_velocity = Vec3(0, 0, spin);
+    builder.add_body(blade);
+    const double angle = draw.between(0.4, 2.7), radius = length * draw.between(0.3, 0.7);
+    BodyDescription body = random_body("body", random_shape(draw, draw.between(0.02, 0.1)),
+                                       radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    body.q_WU = draw.orientation();
+    builder.add_body(body);
+
+    State state = make_initial_state(*builder.build());
+    BulkWorld world(builder.build(), {});
+    world.read(state);
+    const double step = draw.spread(1e-3, 1.0 / 60);
+    double worst = 0;
+    while (world.time() < 6.9 / spin) worst = std::max(worst, world.step(step).worst_share);
+    world.write(state);
+    EXPECT_GT(state.linear_momentum(1).norm(), 0);
+    // Of the thinner one's thickness; bodies that stopped while the blade went on were deeper by many times
+    // it.
+    EXPECT_LE(worst, 0.6);
+    if (worst > 0.25) ++deep;
+  }
+  EXPECT_LE(deep, 6);
+}
+
 /// Limbs that are thick and hinged at one end go on arcs, which are not their chords.
 TEST(PassingGuard, NoThickLimbPassesABodyAtRest) {
   Draw draw(3);

@@ -98,5 +98,37 @@ TEST_P(NothingPasses, AThinPlateAtAnySpeedSpinAndStep) {
 INSTANTIATE_TEST_SUITE_P(Schemes, NothingPasses,
                          testing::Values(Scheme::event_driven, Scheme::hybrid, Scheme::time_stepping));
 
+/// A blade that strikes a body within a step, in parts: the witness sees the way of the body in the parts.
+/// From one end of the step to the other it would lead through the blade.
+TEST(BladesInParts, AreSeenToPassNothing) {
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  method.solver = SolverMethod::substep;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    test::Random random(seed);
+    const double step = 0.01, speed = random.uniform(200, 2000);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 3000, random.uniform(0, 0.8), 0});
+    BodyDescription blade =
+        test::stepping_body("blade", Box{Vec3(0.7, plate, random.uniform(0.05, 0.1))}, Vec3::Zero());
+    blade.motion = MotionType::kinematic;
+    blade.mass = {};
+    blade.velocity = Vec3(0, speed, 0);
+    builder.add_body(blade);
+    const double away = 0.1 + speed * step * random.uniform(0, 0.5);
+    BodyDescription body =
+        test::stepping_body("body", random_shape(random, 0.03), Vec3(random.uniform(-0.5, 0.5), away, 0));
+    body.q_WU = rotation_exp(2 * random.vector());
+    builder.add_body(body);
+    const std::shared_ptr<const Model> model = builder.build();
+    State state = make_initial_state(*model);
+    const auto stepper = make_stepper(model, method, step);
+    const AdvanceReport report = stepper->advance(state, 2 * step);
+    EXPECT_GT(state.linear_momentum(1).y(), 0) << "seed " << seed;
+    EXPECT_EQ(report.passages.instants, 0) << "seed " << seed << " at " << report.passages.first << " s";
+  }
+}
+
 }  // namespace
 }  // namespace rigor::nothing_passes_test

@@ -41,8 +41,8 @@ class Walk {
     length_ = (A.dp_W - B.dp_W).norm() + A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
   }
 
-  double free() const {
-    constexpr double deep_share = 0.25, deeper_share = 0.05, unseen_share = 0.5;
+  double free(double deep_share) const {
+    constexpr double deeper_share = 0.05, unseen_share = 0.5;
     constexpr int most_steps = 1000;
     const double thinner = std::min(A_.thickness, B_.thickness);
     // Of two convex shapes the thicker one is not skipped either.
@@ -108,8 +108,8 @@ class Walk {
 
 }  // namespace
 
-double free_way(const WayOfShape& A, const WayOfShape& B) {
-  return Walk(A, B).free();
+double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share) {
+  return Walk(A, B).free(deep_share);
 }
 
 }  // namespace rigor

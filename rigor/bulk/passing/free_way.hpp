@@ -14,11 +14,11 @@ struct WayOfShape {
   double thickness;  ///< thickness_of() [m].
 };
 
-/// The part of their ways, at most 1, that two shapes can go until they overlap by a quarter of the thinner
-/// one's thickness; shapes that overlap by more at the beginning may do so by a twentieth more. The way is
-/// proven free, or seen at distances that no shape skips.
+/// The part of their ways, at most 1, that two shapes can go until they overlap by `deep_share` of the
+/// thinner one's thickness; shapes that overlap by more at the beginning may do so by a twentieth more. The
+/// way is proven free, or seen at distances that no shape skips.
 ///
 /// Source of the steps: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2.
-double free_way(const WayOfShape& A, const WayOfShape& B);
+double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share);
 
 }  // namespace rigor

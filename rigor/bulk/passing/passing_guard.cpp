@@ -4,8 +4,11 @@
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/thickness.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +16,7 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace rigor {
 
@@ -21,6 +25,10 @@ namespace {
 /// A pair whose bodies move less against each other than this part of the thinner one's thickness is left to
 /// its contacts.
 constexpr double near_share = 0.5;
+/// Points of contact may leave their places by this part of it.
+constexpr double touching_share = 0.02;
+/// [rad], so that an arc is near to its chord.
+constexpr double most_turn = 0.5;
 
 /// Length of the vector that a row of a MotionRecord begins with.
 float length_of(const float* a) {
@@ -45,7 +53,9 @@ PassingGuard::PassingGuard(const Model& model)
       filter_(model),
       ranges_(at(model.body_count())),
       turning_(at(model.body_count()), 0),
-      shares_(at(model.body_count()), 1.0) {
+      is_driven_(at(model.body_count()), 0),
+      shares_(at(model.body_count()), 1.0),
+      changes_(at(model.body_count()), 0) {
   std::optional<FloatHulls> hulls;
   for (int i = 0; i < model.body_count(); ++i) add_body(i, hulls);
   find_groups();
@@ -81,8 +91,10 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
   }
   if (surfaces_ > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface_);
   turning_[at(body)] = turning;
-  has_kinematic_ = has_kinematic_ || own.motion == MotionType::kinematic;
-  may_need_parts_ = may_need_parts_ || has_kinematic_;
+  driven_ -= is_driven_[at(body)];
+  is_driven_[at(body)] = own.motion == MotionType::kinematic ? 1 : 0;
+  driven_ += is_driven_[at(body)];
+  may_need_parts_ = may_need_parts_ || has_driven();
 }
 
 /// How thick the shape is, and how far from the body's centre a rotation moves points.
@@ -103,7 +115,7 @@ const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
 }
 
 void PassingGuard::find_groups() {
-  may_need_parts_ = has_kinematic_ || !model_->joints().empty();
+  may_need_parts_ = has_driven() || !model_->joints().empty();
   // Bodies that joints connect move together.
   is_jointed_.assign(turning_.size(), 0);
   group_.resize(turning_.size());
@@ -125,27 +137,75 @@ void PassingGuard::find_groups() {
   for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
 }
 
-int PassingGuard::parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const {
-  constexpr double most_turn = 0.5;  // [rad], so that an arc is near to its chord.
-  constexpr double most_parts = 256;
-  if (!may_need_parts_) return 1;
-  double parts = 1;
+double PassingGuard::longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                  double h) const {
+  if (!may_need_parts_) return h;
+  double part = h;
   for (const ShapePair& pair : pairs) {
-    const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B);
     for (const bool is_A : {true, false}) {
       const int body = is_A ? pair.body_A : pair.body_B;
       const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
-      if (!is_driven && is_jointed_[at(body)] == 0) continue;
-      const MotionRecord& m = bodies.motion[at(body)];
-      const double turn = h * norm_of(m.w), way = turning_[at(body)] * turn;
-      if (way + (is_driven ? h * norm_of(m.v) : 0) <= near_share * std::min(th_A, th_B)) continue;
-      parts = std::max(parts, turn / most_turn);
-      const double other = is_A ? th_B : th_A;
-      if (is_driven && std::isfinite(other))
-        parts = std::max(parts, (way + h * norm_of(m.v)) / (near_share * other));
+      if (is_driven) part = std::min(part, part_of_driven(pair, is_A, bodies, part));
+      if (is_jointed_[at(body)] != 0) part = std::min(part, part_of_jointed(body, pair, bodies, part));
     }
   }
-  return static_cast<int>(std::ceil(std::min(parts, most_parts)));
+  return part;
+}
+
+/// The way of a jointed body is an arc.
+double PassingGuard::part_of_jointed(int body, const ShapePair& pair, const BulkBodies& bodies,
+                                     double h) const {
+  const double spin = norm_of(bodies.motion[at(body)].w);
+  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+  return turning_[at(body)] * spin * h <= near_share * thinner ? h : most_turn / spin;
+}
+
+/// Until a driven body of the pair may reach the other; and where it is near, as long as neither leaves the
+/// contacts that were found.
+double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies,
+                                    double h) const {
+  const int driver = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
+  const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B),
+               th_other = is_A ? th_B : th_A;
+  const MotionRecord &m = bodies.motion[at(driver)], &of_other = bodies.motion[at(other)];
+  const Vec3 v = vector_of(m.v) - vector_of(of_other.v), w = vector_of(m.w);
+  const double spin = w.norm(), turning = turning_[at(other)],
+               own_spin = turning > 0 ? norm_of(of_other.w) : 0;
+
+  // A driven body that goes little is left to contacts, as one at rest is.
+  const double thin = thinner(pair);
+  if (!((norm_of(m.v) + turning_[at(driver)] * spin) * h > near_share * thin)) return h;
+  const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
+
+  // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
+  // that turn by θ about an arm leave their places by arm θ²/2.
+  const double arm = model_->body(other).bounding_radius;
+  const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
+  double near = kInfinity;
+  if (std::isfinite(th_other))
+    near = near_share * th_other / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
+  if (std::isfinite(arm) && arm > 0) {
+    const double turn = std::sqrt(2 * touching_share * thin / arm);
+    near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
+  }
+  if (near >= h) return h;
+
+  // Before that nothing meets; but paths that curve are known for small turns only.
+  const double gap = distance_of(pair, bodies);
+  return std::clamp(std::min(gap / speed, most_turn / spin), near, h);
+}
+
+/// Signed distance of the shapes of a pair [m], or less: what two meshes that are not convex have between
+/// them takes longer to find than a part of a step.
+double PassingGuard::distance_of(const ShapePair& pair, const BulkBodies& bodies) const {
+  const BodyShape &A = model_->body(pair.body_A).shapes[at(pair.shape_A)],
+                  &B = model_->body(pair.body_B).shapes[at(pair.shape_B)];
+  if (is_surface(A.shape) && is_surface(B.shape)) return 0;
+  const auto pose_of = [&](int body, const BodyShape& shape) {
+    return Pose{bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]} *
+           shape.X_BS;
+  };
+  return signed_distance(A.shape, pose_of(pair.body_A, A), B.shape, pose_of(pair.body_B, B)).distance;
 }
 
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
@@ -284,16 +344,53 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
                       turning_[at(body)],
                       thickness(body, shape)};
   };
-  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B));
+  // What is taken along stays as deep as it is: less deep than what may be.
+  constexpr double deep_share = 0.25, deep_share_of_taken = 0.15;
+  const bool is_taken =
+      is_taken_along(pair.body_A, pair.body_B, bodies) || is_taken_along(pair.body_B, pair.body_A, bodies);
+  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B),
+                  is_taken ? deep_share_of_taken : deep_share);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
-bool PassingGuard::shorten(const FarPair& pair, const BulkBodies& bodies) {
+bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
   if (!(pair.share < 1)) return false;
-  for (const int body : {pair.body_A, pair.body_B}) {
-    if (bodies.is_dynamic(body)) shares_[at(group_[at(body)])] *= pair.share;
+  for (const auto& [body, other] : {std::pair{pair.body_A, pair.body_B}, {pair.body_B, pair.body_A}}) {
+    if (!bodies.is_dynamic(body)) continue;
+    const std::size_t group = at(group_[at(body)]);
+    ++changes_[group];
+    if (is_taken_along(body, other, bodies)) {
+      take_along(body, other, pair.share, bodies);
+    } else {
+      shares_[group] *= pair.share;
+    }
   }
   return true;
+}
+
+/// Whether a body without joints goes on with a driven one that it meets.
+bool PassingGuard::is_taken_along(int body, int driver, const BulkBodies& bodies) const {
+  return bodies.is_dynamic(body) && is_jointed_[at(body)] == 0 && !bodies.is_dynamic(driver) &&
+         bodies.has_velocity(driver);
+}
+
+/// The body goes this share of its way, and the rest of the step with the driven body as one with it.
+void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bodies) {
+  MotionRecord& own = bodies.motion[at(body)];
+  const MotionRecord& of_driver = bodies.motion[at(driver)];
+  double& own_share = shares_[at(group_[at(body)])];
+  // Where they are when they meet, from where the body began.
+  const Vec3 dp = share * own_share * vector_of(own.dp), dr = share * own_share * vector_of(own.dr);
+  const Vec3 way = vector_of(of_driver.dp), turn = vector_of(of_driver.dr);
+  const Vec3 arm = dp - (bodies.x[at(driver)] - bodies.x[at(body)] + share * way);
+  const Quat rest = rotation_exp((1 - share) * turn);
+  // The whole way of the body.
+  const Vec3 end = dp + (1 - share) * way + rest * arm - arm, turned = rotation_log(rest * rotation_exp(dr));
+  for (int k = 0; k < 3; ++k) {
+    own.dp[k] = static_cast<float>(end[k]);
+    own.dr[k] = static_cast<float>(turned[k]);
+  }
+  own_share = 1;
 }
 
 const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<ShapePair>& pairs,
@@ -307,12 +404,12 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
   // A body that stops earlier may meet others: pairs are examined until none has to go less far. Who goes
   // nowhere meets nobody, so that the last round ends it.
   std::fill(shares_.begin(), shares_.end(), 1.0);
-  std::vector<double> before;
+  std::vector<int> before;
   for (int round = 0; round < most_rounds; ++round) {
     const auto is_known = [&](const FarPair& pair) {
       const auto changed = [&](int body) {
         const std::size_t k = at(group_[at(body)]);
-        return !before.empty() && before[k] != shares_[k];
+        return !before.empty() && before[k] != changes_[k];
       };
       return pair.is_checked && !changed(pair.body_A) && !changed(pair.body_B);
     };
@@ -324,7 +421,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
         pair.is_checked = true;
       }
     });
-    before = shares_;
+    before = changes_;
     bool is_done = true;
     for (FarPair& pair : far_) {
       if (round + 1 == most_rounds && pair.share < 1) pair.share = 0;

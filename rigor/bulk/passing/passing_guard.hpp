@@ -21,7 +21,8 @@ namespace rigor {
 /// Keeps bodies from passing through each other within a step (docs/theory/bulk.md, section 9). Contacts are
 /// those of the beginning of the step; a body that moves farther than it is thick may meet others elsewhere.
 /// It is stopped where it first overlaps one of them by a quarter of the thinner one's thickness, with its
-/// velocity, and the contact there is one of the next step.
+/// velocity, and the contact there is one of the next step. From where it meets a driven body so, which
+/// nothing stops, that takes it along.
 class PassingGuard {
  public:
   explicit PassingGuard(const Model& model);
@@ -34,10 +35,12 @@ class PassingGuard {
 
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch) { may_touch_ = std::move(may_touch); }
-  /// Into how many equal parts a step of h [s] is to be divided, so that bodies of joints turn little within
-  /// one and kinematic ones, which nothing stops, do not pass what they push. 1 unless such a body is near
-  /// another.
-  int parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
+  /// How long the next part of a step may be of which h [s] are left, so that bodies of joints turn little
+  /// within one, and kinematic ones, which nothing stops, do not pass what they push nor leave the contacts
+  /// that were found with it. h unless such a body is near another. pairs: those that may meet within h.
+  double longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
+  /// Whether there are kinematic bodies.
+  bool has_driven() const { return driven_ > 0; }
   /// At the beginning of a step of h [s]: how far bodies go at their present velocities.
   void begin(const BulkBodies& bodies, double h);
 
@@ -69,6 +72,9 @@ class PassingGuard {
   void add_body(int body, std::optional<FloatHulls>& hulls);
   const ShapeFacts& facts_of(const BodyShape& shape, std::optional<FloatHulls>& hulls);
   const ShapeFacts& facts(int body, int shape) const { return facts_[at(ranges_.begin(body) + shape)]; }
+  double part_of_jointed(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const;
+  double part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies, double h) const;
+  double distance_of(const ShapePair& pair, const BulkBodies& bodies) const;
   double thickness(int body, int shape) const { return facts(body, shape).thickness; }
   double thinner(const ShapePair& pair) const;
   bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
@@ -78,7 +84,9 @@ class PassingGuard {
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   double free_share(const FarPair& pair, const BulkBodies& bodies) const;
-  bool shorten(const FarPair& pair, const BulkBodies& bodies);
+  bool shorten(const FarPair& pair, BulkBodies& bodies);
+  bool is_taken_along(int body, int driver, const BulkBodies& bodies) const;
+  void take_along(int body, int driver, double share, BulkBodies& bodies);
 
   const Model* model_;
   PairFilter filter_;
@@ -87,13 +95,14 @@ class PassingGuard {
   std::vector<ShapeFacts> facts_;  ///< Of each shape.
   std::unordered_map<const BodyShape*, ShapeFacts> known_;
   std::vector<double> turning_;  ///< Of each body: how far from its centre rotation moves points [m].
+  std::vector<char> is_driven_;  ///< Whether each body is kinematic.
+  int driven_ = 0;               ///< How many bodies are.
   std::vector<int> group_;       ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
   /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.
   double least_thickness_ = std::numeric_limits<double>::infinity();
   double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].
   int surfaces_ = 0;             ///< How many shapes have been surfaces.
-  bool has_kinematic_ = false;   ///< Whether any body has been kinematic.
   bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].
@@ -104,6 +113,7 @@ class PassingGuard {
   std::vector<int> near_;
   std::vector<FarPair> far_;
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
+  std::vector<int> changes_;    ///< How often the displacement was changed, by its group.
   std::vector<Stopped> stopped_;
 };
 

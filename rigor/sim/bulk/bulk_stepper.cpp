@@ -36,10 +36,17 @@ void BulkStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   world_.read(state);
 }
 
-double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State& state) {
+double BulkStepper::step_towards(double t_end, double t, State& state) {
   apply_loads();
   last_step_ = t_end - t;
+  // Bodies that a blade strikes within the step go ways that its ends do not tell.
+  world_.set_part_observer([&] {
+    if (find_broken_body() >= 0) return;
+    show_step(std::min(world_.time(), t_end), state);
+    watch_part(state);
+  });
   note(world_.step(last_step_, whole_step()), t, t_end);
+  world_.set_part_observer({});
   if (const int broken = find_broken_body(); broken >= 0) {
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(broken).name + "'";

@@ -32,6 +32,9 @@ class FixedStepStepper : public Stepper {
   /// Completes the State at the time reached [s], also after a stop.
   virtual void end_span(double t, State& state) = 0;
 
+  /// Shows the witness the State that a scheme brings to the time reached within a step that it takes in
+  /// parts by itself.
+  void watch_part(const State& state) { witness_.watch(state, report_); }
   /// The length of the whole step of which step_towards() takes a part, or all [s].
   double whole_step() const { return whole_step_; }
   /// Puts kinematic and fixed bodies where they are at the State's time.

@@ -1,5 +1,6 @@
 #include "rigor/view/3d/film_writer.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/output_file.hpp"
@@ -27,8 +28,13 @@ void FilmWriter::close(const Audit&) {
   Photographer photographer(motion, {}, size);
   MovieFile film(path_, size.width, size.height);
   const std::vector<std::size_t> frames = even_frames(motion, film_frames(motion));
-  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
-  for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
+  try {
+    const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+    for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
+  } catch (const Interrupted&) {
+    film.give_up();
+    throw;
+  }
   film.close();
 }
 

@@ -1,6 +1,7 @@
 #include "rigor/view/3d/framing.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/view/3d/sight_lines.hpp"
 
 #include <algorithm>
@@ -76,6 +77,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   double start_reach = 0, largest = 0;
   std::vector<double> reaches;
   for (const DrawnShape* const shape : moving) {
+    poll_interrupt();
     double reach = 0;
     largest = std::max(largest, shape->radius);
     start_reach =
@@ -90,6 +92,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
 
   std::vector<FramedBall> balls;
   for (const DrawnShape* const shape : moving) {
+    poll_interrupt();
     for (std::size_t i = at(shape->body); i < poses.size(); i += n) {
       if ((poses[i] * shape->X_US.p - middle).norm() <= limit) add_extent(*shape, poses[i], balls);
     }
@@ -130,6 +133,7 @@ double centered(const std::vector<FramedBall>& seen, int axis, double depth) {
     low = std::min(low, ball.p_W[axis] - ball.radius), high = std::max(high, ball.p_W[axis] + ball.radius);
   // Bisection: the reach to one side minus the reach to the other decreases as the eye moves.
   for (int halving = 0; halving < 50; ++halving) {
+    poll_interrupt();
     const double eye = 0.5 * (low + high);
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (const FramedBall& ball : seen) {

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -86,6 +88,13 @@ void MovieFile::add(const Image& image) {
 void MovieFile::close() {
   const int code = end();
   if (code != 0) throw ended_error(code);
+}
+
+void MovieFile::give_up() {
+  if (process_ >= 0) ::kill(process_, SIGKILL);
+  end();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path_, ignored)) std::filesystem::remove(path_, ignored);
 }
 
 FileError MovieFile::ended_error(int code) const {

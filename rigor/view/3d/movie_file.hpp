@@ -28,6 +28,8 @@ class MovieFile {
 
   void add(const Image& image);
   void close();
+  /// Ends ffmpeg at once and removes what it has written; nothing is to be added then.
+  void give_up();
 
  private:
   int end();

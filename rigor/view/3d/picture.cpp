@@ -1,6 +1,7 @@
 #include "rigor/view/3d/picture.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/view/3d/canvas.hpp"
 #include "rigor/view/3d/sight_lines.hpp"
 
@@ -87,6 +88,7 @@ std::vector<Pose> sampled_poses(const Recording& recording) {
   const std::size_t frames = recording.frame_count(), steps = std::min(count, frames);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < steps; ++i) {
+    poll_interrupt();
     const std::size_t frame = steps > 1 ? i * (frames - 1) / (steps - 1) : 0;
     const std::vector<Pose> here = poses_at(recording, frame);
     poses.insert(poses.end(), here.begin(), here.end());

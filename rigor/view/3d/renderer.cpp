@@ -1,6 +1,7 @@
 #include "rigor/view/3d/renderer.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -149,6 +150,7 @@ void Renderer::see(const Projection& projection, bool glass, int width, int heig
   for (SampleGrid& grid : grids_) grid.clear(width, height);
   Occlusion occlusion(grids_, width, height);
   for (const ShownShape& placed : placed_) {
+    poll_interrupt();
     if (placed.shape->is_glass != glass) continue;
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
       see_ball(placed, sphere->radius, projection, occlusion);
@@ -281,6 +283,7 @@ void Renderer::fill_all(std::span<const Vec2> corners, const NearnessPlane& plan
 void Renderer::develop(const Shader& shader, Image& image) const {
   std::vector<Color> colors(static_cast<std::size_t>(image.width));
   for (int row = 0; row < image.height; ++row) {
+    poll_interrupt();
     color_row(shader, row, colors);
     if (has_glass_) lay_glass(shader, row, colors);
     std::uint8_t* out = image.pixel(0, row);

@@ -1,6 +1,7 @@
 #include "rigor/view/3d/shadow_map.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <limits>
@@ -18,6 +19,7 @@ void ShadowMap::draw(std::span<const ShownShape> shapes, const Vec3& sun_W, cons
   grid_.clear(size, size);
   Occlusion occlusion({&grid_, 1}, size, size);
   for (const ShownShape& placed : nearest_first(shapes)) {
+    poll_interrupt();
     if (std::holds_alternative<HalfSpace>(placed.shape->shape)) continue;
     const Vec3 center = X_JW_ * placed.X_WS.p;
     if ((center.array() < -placed.shape->radius).any() ||

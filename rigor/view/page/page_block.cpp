@@ -1,6 +1,7 @@
 #include "rigor/view/page/page_block.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace rigor {
 
@@ -23,20 +25,43 @@ const Bytef* bytes_of(std::string_view text) {
   return reinterpret_cast<const Bytef*>(text.data());
 }
 
+/// The bytes as zlib packs them, piece by piece: a large mesh takes seconds.
+std::string deflated(std::string_view bytes, int level) {
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  z_stream stream{};
+  RIGOR_ASSERT(deflateInit(&stream, level) == Z_OK);
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
+  std::string packed(compressBound(static_cast<uLong>(bytes.size())), '\0');
+  std::size_t size = 0;
+  int result = Z_OK;
+  for (std::size_t begin = 0; result == Z_OK; begin += piece) {
+    poll_interrupt();
+    const std::string_view part = bytes.substr(std::min(begin, bytes.size()), piece);
+    stream.next_in = const_cast<Bytef*>(bytes_of(part));
+    stream.avail_in = static_cast<uInt>(part.size());
+    // The room is what zlib asks for; it counts in 32 bits, so that no more than a piece of it is offered.
+    do {
+      const std::size_t room = std::min(packed.size() - size, 2 * piece);
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data() + size);
+      stream.avail_out = static_cast<uInt>(room);
+      result = deflate(&stream, begin + piece >= bytes.size() ? Z_FINISH : Z_NO_FLUSH);
+      size += room - stream.avail_out;
+    } while (result == Z_OK && stream.avail_out == 0);
+  }
+  RIGOR_ASSERT(result == Z_STREAM_END);
+  packed.resize(size);
+  return packed;
+}
+
 }  // namespace
 
 PageBlock make_page_block(std::string kind, std::string_view bytes) {
   // Small blocks are worth the effort: it takes some milliseconds.
   constexpr std::size_t small = 1 << 18;
   const int level = bytes.size() <= small ? Z_BEST_COMPRESSION : Z_DEFAULT_COMPRESSION;
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string deflated(size, '\0');
-  const int result = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size, bytes_of(bytes),
-                               static_cast<uLong>(bytes.size()), level);
-  RIGOR_ASSERT(result == Z_OK);  // The buffer has the size that zlib asks for.
-  deflated.resize(size);
-  const uLong checksum = crc32_z(0, bytes_of(deflated), deflated.size());
-  return {std::move(kind), bytes.size(), std::move(deflated), static_cast<std::uint32_t>(checksum)};
+  std::string packed = deflated(bytes, level);
+  const uLong checksum = crc32_z(0, bytes_of(packed), packed.size());
+  return {std::move(kind), bytes.size(), std::move(packed), static_cast<std::uint32_t>(checksum)};
 }
 
 std::string block_html(const PageBlock& block, int run) {

@@ -1,5 +1,6 @@
 #include "rigor/view/page/page_geometry.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/io/files/json_text.hpp"
@@ -109,6 +110,7 @@ PageGeometry page_geometry(const Model& model) {
   MeshTable meshes(geometry);
   std::map<std::string, int> indices;
   for (const Body& body : model.bodies()) {
+    poll_interrupt();
     const Json look = look_of(body, meshes);
     const auto [place, is_new] = indices.try_emplace(json_line(look), static_cast<int>(indices.size()));
     if (is_new) geometry.looks.push_back(look);

@@ -1,5 +1,6 @@
 #include "rigor/view/page/page_run.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/version.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/math/rotation.hpp"
@@ -66,6 +67,7 @@ Json body_json(const Body& body, int look) {
 Json bodies_json(const Model& model, const PageGeometry& geometry) {
   Json bodies = Json::array();
   for (std::size_t i = 0; i < model.bodies().size(); ++i) {
+    poll_interrupt();
     bodies.push_back(body_json(model.bodies()[i], geometry.look_of_body[i]));
   }
   return bodies;

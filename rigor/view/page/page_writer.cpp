@@ -1,10 +1,12 @@
 #include "rigor/view/page/page_writer.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/output_file.hpp"
 #include "rigor/view/plot/markup_text.hpp"
 
 #include <fmt/format.h>
 
+#include <system_error>
 #include <utility>
 
 namespace rigor {
@@ -47,7 +49,10 @@ void append_body(const std::vector<std::vector<PageBlock>>& runs, Append append)
   for (const std::vector<PageBlock>& blocks : runs) count += blocks.size();
   append(fmt::format("<meta name=\"rigor-blocks\" content=\"{}\">\n", count));
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    for (const PageBlock& block : runs[i]) append(block_html(block, static_cast<int>(i)));
+    for (const PageBlock& block : runs[i]) {
+      poll_interrupt();
+      append(block_html(block, static_cast<int>(i)));
+    }
   }
   append("</body>\n</html>\n");
 }
@@ -86,10 +91,17 @@ void write_page(const std::filesystem::path& path, std::string_view title,
   file.append(head(title, own_policy()));
   file.append(inline_viewer());
   file.append("</head>\n");
-  append_body(runs, [&file](std::string_view part) {
-    file.append(part);
-    file.flush();
-  });
+  try {
+    append_body(runs, [&file](std::string_view part) {
+      file.append(part);
+      file.flush();
+    });
+  } catch (const Interrupted&) {
+    // Half a page shows nothing.
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
+    throw;
+  }
   file.close();
 }
 
