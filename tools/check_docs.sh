@@ -271,6 +271,7 @@ YAML
     name != "" && /^    / { print substr($0, 5) >(to name); seen = 1; next }
     name != "" && seen && !/^$/ { name = "" }' "${pages[@]}"
   "$program" run "$work/run/example.yaml" -o "$work/kept.h5" --quiet
+  "$program" study "$root/scenes/studies/slide_distance.yaml" --no-journal -o "$work/kept_study.h5" --quiet
 }
 
 # Command lines `place TAB command`: code blocks that begin with a command, without what is said beside it, and spans.
@@ -293,6 +294,7 @@ run_program() {
   local place=$1 command=$2 expected=$work/expected line code=0
   expected_output "$place" >"$expected"
   cp "$work/kept.h5" "$work/run/run.h5"
+  cp "$work/kept_study.h5" "$work/run/runs.h5"
   if [ ! -s "$expected" ]; then
     case $command in
       *--duration*) ;;
