@@ -13,10 +13,6 @@ namespace rigor {
 
 namespace {
 
-bool is_free(const Model& model, int body) {
-  return body != world_body && model.body(body).motion == MotionType::dynamic;
-}
-
 /// Whether a law acts along the coordinate.
 bool acts(const JointAxis& axis) {
   return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
@@ -75,8 +71,8 @@ Branches choose_branches(const Model& model) {
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
     const Joint& joint = model.joint(j);
     const bool is_gear = joint.type == JointType::gear;
-    const bool moves_A = !is_gear && is_free(model, joint.body_A);
-    const bool moves_B = !is_gear && is_free(model, joint.body_B);
+    const bool moves_A = !is_gear && moves_freely(model, joint.body_A);
+    const bool moves_B = !is_gear && moves_freely(model, joint.body_B);
 
     // Between two trees of which at most one is held to the ground.
     if (moves_A && moves_B) {
@@ -215,7 +211,7 @@ std::vector<int> systems_of(const Model& model) {
   for (int j = 0; j < count; ++j) {
     const Joint& joint = model.joint(j);
     for (const int body : {joint.body_A, joint.body_B}) {
-      if (is_free(model, body)) sets.join(j, count + body);
+      if (moves_freely(model, body)) sets.join(j, count + body);
     }
     if (joint.type != JointType::gear) continue;
     sets.join(j, joint.first_joint);

@@ -45,4 +45,9 @@ struct JointForest {
 };
 JointForest make_joint_forest(const Model& model);
 
+/// Whether joints can move the body: not the world, nor one whose motion is given.
+inline bool moves_freely(const Model& model, int body) {
+  return body != world_body && model.body(body).motion == MotionType::dynamic;
+}
+
 }  // namespace rigor

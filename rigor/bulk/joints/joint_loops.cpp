@@ -15,10 +15,6 @@ std::array<int, 8> in_first_lane(int index) {
   return lanes;
 }
 
-bool is_free(const Model& model, int body) {
-  return body != world_body && model.body(body).motion == MotionType::dynamic;
-}
-
 }  // namespace
 
 JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordinates,
@@ -31,7 +27,7 @@ JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordina
   std::map<int, int> moved;  // Slots of the bodies that joints move.
   for (const int j : joints) {
     for (const int body : {model.joint(j).body_A, model.joint(j).body_B}) {
-      if (is_free(model, body) && !moved.contains(body)) moved[body] = add_slot(body);
+      if (moves_freely(model, body) && !moved.contains(body)) moved[body] = add_slot(body);
     }
   }
   systems_.moved = systems_.bodies.size();
@@ -53,7 +49,7 @@ JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordina
     link.joints = in_first_lane(j);
     link.type = joint.type;
     link.has_laws = has_coordinates[at(j)];
-    link.parent_is_free = is_free(model, joint.body_A);
+    link.parent_is_free = moves_freely(model, joint.body_A);
     link.parent = slot_of(joint.body_A);
     link.child = slot_of(joint.body_B);
     link_of[j] = static_cast<int>(systems_.links.size());

@@ -47,18 +47,6 @@ float add_above(const FaceView& view, const Vec3f& p, float height, std::uint32_
   return gap;
 }
 
-/// The face around the vertex that faces the view most; -1 if there are none.
-int facing_face(const FaceView& view, int vertex) {
-  const FloatHull& hull = *view.other.hull;
-  int face = -1;
-  float least = kInfinity;
-  for (int k = hull.fan_begin[at(vertex)]; k < hull.fan_begin[at(vertex + 1)]; ++k) {
-    const float along = view.m.dot(view.other.normal(hull.fan[at(k)]));
-    if (along < least) least = along, face = hull.fan[at(k)];
-  }
-  return face;
-}
-
 std::uint32_t vertex_feature(bool is_of_A, int vertex) {
   return is_of_A ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
 }
@@ -141,6 +129,16 @@ void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
   core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
 }
 
+int PlacedPolytope::face_against(int v, const Vec3f& n) const {
+  int face = -1;
+  float least = kInfinity;
+  for (const int f : hull->faces_around(v)) {
+    const float along = n.dot(normal(f));
+    if (along < least) least = along, face = f;
+  }
+  return face;
+}
+
 void place_polytope(const BulkShape& shape, const CorePlace& place, PlacedPolytope& core) {
   const FloatHull& hull = *shape.hull;
   core.hull = &hull;
@@ -200,7 +198,7 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
   // The outline of the other core that may touch the face: of its face that faces this one, or of the
   // segment.
   const FloatHull& hull = *view.other.hull;
-  const int face = facing_face(view, view.lowest);
+  const int face = view.other.face_against(view.lowest, view.m);
   constexpr int segment_edges[] = {0};
   const int segment_ends[] = {hull.edges[0].v0, hull.edges[0].v1};
   const std::span<const int> loop = face < 0

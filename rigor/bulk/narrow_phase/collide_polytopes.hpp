@@ -39,6 +39,8 @@ struct PlacedPolytope {
   int farthest(const Vec3f& n) const {
     return find_support(hull->vertices(), place.M.transpose() * n, best_lane_target()).index;
   }
+  /// The face around a vertex that faces against n most; -1 if there are none.
+  int face_against(int v, const Vec3f& n) const;
 };
 
 /// A direction that may separate two cores best: the normal of a face, or across a pair of edges.

@@ -290,17 +290,6 @@ CapUnderPolytope find_best_cap(const RingCore& ring, const PlacedPolytope& polyt
   return best;
 }
 
-/// The face around a vertex that faces against o most.
-int face_against(const PlacedPolytope& polytope, int vertex, const Vec3f& o) {
-  int face = -1;
-  float least = std::numeric_limits<float>::infinity();
-  for (const int f : polytope.hull->faces_around(vertex)) {
-    const float along = o.dot(polytope.normal(f));
-    if (along < least) least = along, face = f;
-  }
-  return face;
-}
-
 }  // namespace
 
 Outcome collide_ring_with_polytope(const RingCore& ring, const PlacedPolytope& polytope, bool ring_is_A,
@@ -323,7 +312,7 @@ Outcome collide_ring_with_polytope(const RingCore& ring, const PlacedPolytope& p
   if (best.separation > margin) return Outcome::apart;
 
   // It is the best of all if it proves itself.
-  const int facing = is_cap ? face_against(polytope, cap.lowest, best.n) : face.face;
+  const int facing = is_cap ? polytope.face_against(cap.lowest, best.n) : face.face;
   const ShownSide of_ring = ring.shown_side(best.n, true), of_polytope = face_side(polytope, facing);
   const Vec3f foot = is_cap ? polytope.vertex(cap.lowest) : of_ring.lowest;
   const ShownSide& flat = is_cap ? of_ring : of_polytope;

@@ -31,17 +31,6 @@ int edge_number(const FloatMesh& mesh, int triangle, int side) {
   return 3 * across + k;
 }
 
-/// The face around the core's vertex that faces against n most; -1 if there are none.
-int face_against(const PlacedPolytope& core, int vertex, const Vec3f& n) {
-  int face = -1;
-  float least = std::numeric_limits<float>::infinity();
-  for (const int f : core.hull->faces_around(vertex)) {
-    const float along = n.dot(core.normal(f));
-    if (along < least) least = along, face = f;
-  }
-  return face;
-}
-
 /// A triangle as an outline that is counter-clockwise about its normal towards the core.
 struct TriangleOutline {
   float x[3], y[3], z[3];
@@ -121,7 +110,7 @@ void MeshMeeting::find_region(const MeshView& view, const FloatMesh::Triangle& t
   found_.clear();
   // The triangle, counter-clockwise about the normal towards the core, and what of the core lies over it.
   const TriangleOutline own(facet.corners, n.dot(triangle.n.cast<float>()) < 0);
-  const CoreOutline over(core, face_against(core, facet.lowest, n));
+  const CoreOutline over(core, core.face_against(facet.lowest, n));
   if (!may_lie_over(over.outline, facet)) return;
   meet_outlines(own.outline(), n, over.outline, 4 * (rounding_ + kCollisionRounding * own.size()), meeting_);
 

@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr Range speed{1e-6, 1e6};
 constexpr Range any_number{};
