@@ -27,8 +27,10 @@ constexpr double kBoldRho = 1e3;
 // rounding is still below what counts as solved.
 constexpr double kSlow = 0.3;
 constexpr double kLargestSlowRho = 1e6;
-// Points need not be exact while they come nearer; where they do not, what is left may be a contradiction,
-// which shows only in points that solve their own law.
+// In bold searches points need not be exact while they come nearer; where they do not, what is left may be a
+// contradiction, which shows only in points that solve their own law. At events all are exact: of the forces
+// that solve a problem equally well, rough points find others than exact ones, and a row of dominoes then
+// moves sideways and chatters.
 constexpr double kRoughShare = 0.1;
 constexpr double kExactShare = 1e-3;
 
@@ -55,7 +57,7 @@ class ProximalPoints {
     bool is_slow = false;
     for (int point = 1; point <= kMaxPoints; ++point) {
       poll_interrupt();
-      const std::optional<ProximalPoint> next = next_point(is_slow ? kExactShare : kRoughShare);
+      const std::optional<ProximalPoint> next = next_point(options_.is_bold && !is_slow ? kRoughShare : kExactShare);
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
         const Offer offer = offer_of(*next);

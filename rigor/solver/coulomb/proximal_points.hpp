@@ -17,8 +17,9 @@ struct ProximalPointOptions {
   double resolution = 0;
   /// Whether the best that was found is given where nothing solves the problem; `converged` is false then.
   bool gives_best = false;
-  /// Whether Newton's method begins with a moderate c and long steps: two times as fast where many contacts
-  /// share loads, but what it finds of several solutions need not be as symmetric as the problem.
+  /// Whether Newton's method begins with a moderate c and long steps, and ends early: two times as fast where
+  /// many contacts share loads, but what it finds of several solutions need not be as symmetric as the
+  /// problem.
   bool is_bold = false;
   /// Forces to begin with (3n); none: 0.
   VecX start = VecX();
