@@ -16,7 +16,7 @@ define show
 endef
 
 run: setup
-	@[ -x $(RIGOR) ] || echo "Building the program: some seven minutes on two cores, counted below in brackets. Then it runs two scenes."
+	@[ -x $(RIGOR) ] || echo "Building the program: some six minutes on two cores, counted below in brackets. Then it runs two scenes."
 	@$(MAKE) --no-print-directory program
 	@mkdir -p out
 	$(call show,chain_reaction,A swing strikes thirteen dominoes and the last one pushes a ball down a slide into a tower:)

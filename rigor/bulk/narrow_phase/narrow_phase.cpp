@@ -1,6 +1,5 @@
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 
-#include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/bulk/narrow_phase/collide_balls.hpp"
 #include "rigor/bulk/narrow_phase/collide_boxes.hpp"
 #include "rigor/bulk/narrow_phase/collide_exactly.hpp"
@@ -9,16 +8,14 @@
 #include "rigor/bulk/narrow_phase/collide_round.hpp"
 #include "rigor/bulk/narrow_phase/mesh_inside.hpp"
 #include "rigor/bulk/narrow_phase/pair_hints.hpp"
+#include "rigor/bulk/narrow_phase/placed_forms.hpp"
 #include "rigor/bulk/narrow_phase/plane_manifolds.hpp"
 #include "rigor/bulk/narrow_phase/ring_pairs.hpp"
-#include "rigor/bulk/state/bulk_shape.hpp"
-#include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 
 namespace rigor {
 
@@ -28,18 +25,7 @@ using Kind = BulkShape::Kind;
 
 constexpr int kBlock = PairHints::block;  ///< Pairs that are put into lanes together.
 constexpr int kPartGrain = 256;           ///< Pairs of a part, which has its own lists.
-constexpr int kPlaceGrain = 1024;         ///< Shapes.
 constexpr float kRounding = kCollisionRounding;
-
-/// A shape of a body: its form and its place, as indices. Balls about the centres of their bodies share a
-/// place, which never changes.
-struct PlacedForm {
-  int form;
-  int place;
-  Kind kind;
-  bool is_ball;
-  bool has_core, has_faces, has_rings;
-};
 
 /// A pair of shapes, placed.
 struct PairPlace {
@@ -82,14 +68,6 @@ struct alignas(64) Part {
 bool are_ring_pair(const PlacedForm& a, const PlacedForm& b) {
   return bool(a.has_rings | b.has_rings) & bool(a.has_core | a.has_rings) & bool(b.has_core | b.has_rings);
 }
-bool is_ball(const BulkShape& shape) {
-  return shape.kind == Kind::round && shape.extent == 0;
-}
-/// Whether rotating the body does not move the shape.
-bool is_centred_ball(const BulkShape& shape) {
-  return is_ball(shape) && shape.X_BS.p.isZero(0);
-}
-
 SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
   return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
 }
@@ -97,16 +75,12 @@ SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
 }  // namespace
 
 struct NarrowPhase::Tables {
-  explicit Tables(const Model& model);
-  void set_body(const Model& model, int body);
-  PlacedForm placed_form_of(const BodyShape& shape);
+  explicit Tables(const Model& model) : shapes(model) {}
 
-  const PlacedForm& placed_form(int body, int shape) const { return shapes[at(ranges.begin(body) + shape)]; }
-  const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
-  const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
+  const BulkShape& form(const PlacedForm& shape) const { return shapes.form(shape); }
+  const PlacedShape& place_of(const PlacedForm& shape) const { return shapes.place_of(shape); }
   /// Whether the search for the pair's contacts begins where the last one ended.
   bool needs_hint(const ShapePair& pair) const;
-  void place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor);
   /// Adds the manifolds of the pairs [begin, end) in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
             BlockScratch& scratch, ManifoldList& manifolds);
@@ -126,72 +100,13 @@ struct NarrowPhase::Tables {
   void find_polytopes(const PairPlace& place, int number, float margin, PlacedPolytopes& polytopes,
                       ManifoldList& manifolds);
 
-  FloatHulls hulls;
-  std::vector<BulkShape> forms;  ///< Forms; bodies that share their shapes share these.
-  std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< Including the places of centred balls.
-  ShapeRanges ranges;
-  std::vector<PlacedForm> shapes;
-  std::vector<PlacedShape> placed;
-  std::vector<char> is_in_pair;  ///< Each body.
+  PlacedForms shapes;
   PairHints hints;
   std::vector<std::unique_ptr<Part>> parts;
 };
 
-NarrowPhase::Tables::Tables(const Model& model) : ranges(at(model.body_count())) {
-  shapes.reserve(at(model.body_count()));
-  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
-}
-
-void NarrowPhase::Tables::set_body(const Model& model, int body) {
-  const BodyShapes& own = model.body(body).shapes;
-  ranges.give(body, static_cast<int>(own.size()));
-  make_room(ranges.size(), shapes);
-  shapes.resize(std::max(shapes.size(), ranges.size()));
-  for (std::size_t s = 0; s < own.size(); ++s) shapes[at(ranges.begin(body)) + s] = placed_form_of(own[s]);
-}
-
-/// The form of a shape and a place for it.
-PlacedForm NarrowPhase::Tables::placed_form_of(const BodyShape& shape) {
-  constexpr int no_place = -1;
-  // Bodies that share a shape share its form.
-  const auto [known, is_new] = known_forms.emplace(
-      &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false, false});
-  if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
-  PlacedForm own = known->second;
-  own.kind = form(own).kind;
-  own.is_ball = is_ball(form(own));
-  own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
-  own.has_core = own.has_faces || own.kind == Kind::round;
-  own.has_rings = own.kind == Kind::rings;
-  // Each shape has a place of its own, only balls about the centres of their bodies share one.
-  if (own.place == no_place) {
-    own.place = static_cast<int>(placed.size());
-    make_room(placed.size() + 1, placed);
-    placed.push_back(place_shape(form(own), Quat::Identity()));
-    if (is_centred_ball(form(own))) known->second = own;
-  }
-  return own;
-}
-
-/// Places the shapes of all bodies that are in pairs.
-void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
-                                const Executor& executor) {
-  is_in_pair.assign(bodies.x.size(), 0);
-  for (const ShapePair& pair : pairs) is_in_pair[at(pair.body_A)] = is_in_pair[at(pair.body_B)] = 1;
-  executor.for_ranges(bodies.count(), kPlaceGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      if (is_in_pair[at(i)] == 0) continue;
-      for (int k = ranges.begin(i); k < ranges.end(i); ++k) {
-        const PlacedForm& shape = shapes[at(k)];
-        if (!(shape.is_ball && is_centred_ball(form(shape))))
-          placed[at(shape.place)] = place_shape(form(shape), bodies.q[at(i)]);
-      }
-    }
-  });
-}
-
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
-  const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
+  const PlacedForm &a = shapes.of(pair.body_A, pair.shape_A), &b = shapes.of(pair.body_B, pair.shape_B);
   const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
   return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh | are_ring_pair(a, b);
 }
@@ -265,7 +180,7 @@ void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& p
   const Pose X_OM = pose_of(mesh, bodies.q[at(mesh_body)], Vec3::Zero());
   const Vec3 d = bodies.x[at(core_body)] - bodies.x[at(mesh_body)];
   const MeshView view{mesh.mesh.get(), X_OM.R.transpose().cast<float>(), X_OM.R.transpose() * (d - X_OM.p)};
-  meeting.find(view, core, placed_core, pair.margin, *hulls.segment);
+  meeting.find(view, core, placed_core, pair.margin, *shapes.hulls().segment);
   // From the frame of the mesh to W's axes, relative to body A.
   const Mat3f R_WM = view.R_MW.transpose();
   const Vec3f shift = mesh_is_A ? d.cast<float>() : Vec3f(Vec3f::Zero());
@@ -360,8 +275,8 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
     // Centres are subtracted in 64 bits; the rest is relative to the centre of body A.
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     PairPlace& place = scratch.places[at(k - begin)];
-    place = {placed_form(pair.body_A, pair.shape_A), placed_form(pair.body_B, pair.shape_B),
-             p_OB.cast<float>(), nullptr};
+    place = {shapes.of(pair.body_A, pair.shape_A), shapes.of(pair.body_B, pair.shape_B), p_OB.cast<float>(),
+             nullptr};
     // The direction of the hint is tried first; most pairs that do not touch end here.
     if (number < last_number && needs_hint(pair)) place.hint = &hints.take_over(pair, number++, before);
     scratch.is_parted[at(k - begin)] = is_parted(place, pair.margin);
@@ -458,7 +373,7 @@ void NarrowPhase::set_bodies(const Model& model, std::span<const int> bodies) {
   std::vector<char> has_changed(at(model.body_count()), 0);
   for (const int body : bodies) {
     has_changed[at(body)] = 1;
-    tables_->set_body(model, body);
+    tables_->shapes.set_body(model, body);
   }
   tables_->hints.forget(has_changed);
 }
@@ -468,7 +383,7 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
   // More parts than threads: pairs that touch take longer than others.
   constexpr int parts_of_a_thread = 8;
   Tables& tables = *tables_;
-  tables.place(bodies, pairs, executor);
+  tables.shapes.place(bodies, pairs, executor);
   const int count = static_cast<int>(pairs.size());
   tables.hints.begin(pairs, [&](const ShapePair& pair) { return tables.needs_hint(pair); });
   // The pairs in parts, each with its own list; a part is made of whole blocks, so that lanes do not depend

@@ -2,10 +2,10 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/report/energy.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -23,9 +23,7 @@ std::vector<int> bodies_of_drives(const Model& model) {
     for (const int body : model.bodies_of_joint(drive.joint)) bodies.push_back(body);
   }
   for (const ForceDrive& drive : model.drives().forces) bodies.push_back(body_of_force(drive.force));
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  return bodies;
+  return sorted_unique(std::move(bodies));
 }
 
 }  // namespace
