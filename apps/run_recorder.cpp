@@ -144,8 +144,8 @@ void RunRecorder::write_views(const Audit& audit) {
       given_up_.push_back(name);
     }
   };
-  for (const auto& [name, picture] : pictures_) attempt(name, [&] { picture->close(audit); });
-  for (auto& [name, page] : pages_) attempt(name, [&] { page.close(audit); });
+  for (const auto& [name, picture] : pictures_) attempt(name, [&, &own = picture] { own->close(audit); });
+  for (auto& [name, page] : pages_) attempt(name, [&, &own = page] { own.close(audit); });
   if (first_error) throw *first_error;
 }
 
