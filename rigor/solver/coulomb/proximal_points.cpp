@@ -57,7 +57,8 @@ class ProximalPoints {
     bool is_slow = false;
     for (int point = 1; point <= kMaxPoints; ++point) {
       poll_interrupt();
-      const std::optional<ProximalPoint> next = next_point(options_.is_bold && !is_slow ? kRoughShare : kExactShare);
+      const std::optional<ProximalPoint> next =
+          next_point(options_.is_bold && !is_slow ? kRoughShare : kExactShare);
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
         const Offer offer = offer_of(*next);
