@@ -12,6 +12,25 @@
 namespace rigor::bulk_simulation_docs_test {
 namespace {
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The first program after this heading of the page stands in this file.
+void expect_program_of_section(const std::string& heading) {
+  const std::string root = RIGOR_SOURCE_DIR;
+  const std::string page = text_of(root + "/docs/bulk_api.md");
+  const std::size_t section = page.find(heading);
+  ASSERT_NE(section, std::string::npos);
+  const std::size_t begin = page.find("```cpp\n", section) + 7, end = page.find("```", begin);
+  ASSERT_LT(begin, end);
+  EXPECT_NE(text_of(root + "/tests/sim/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
+            std::string::npos);
+}
+
 TEST(BulkSimulationDocs, TheProgramOnThePageIsThisOne) {
   int sounds = 0;
   double last_force = 0;
@@ -69,18 +88,7 @@ while (!simulation.is_asleep(second)) simulation.step();
   EXPECT_FALSE(simulation.model().find_body("paddle"));
   EXPECT_NEAR(simulation.pose(second).p.z(), 0.7, 0.01);
 
-  const auto text_of = [](const std::string& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  };
-  const std::string root = RIGOR_SOURCE_DIR;
-  const std::string page = text_of(root + "/docs/bulk_api.md");
-  const std::size_t begin = page.find("```cpp\n") + 7, end = page.find("```", begin);
-  ASSERT_LT(begin, end);
-  EXPECT_NE(text_of(root + "/tests/sim/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
-            std::string::npos);
+  expect_program_of_section("# ");
 }
 
 TEST(BulkSimulationDocs, BodiesThatComeAndGo) {
@@ -103,19 +111,7 @@ const bool is_gone = simulation.apply_force(id, Vec3::UnitX()) == BulkStatus::no
   EXPECT_TRUE(is_gone);
   EXPECT_TRUE(simulation.bodies().empty());
 
-  const auto text_of = [](const std::string& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  };
-  const std::string root = RIGOR_SOURCE_DIR;
-  const std::string page = text_of(root + "/docs/bulk_api.md");
-  const std::size_t section = page.find("## Bodies that come and go");
-  const std::size_t begin = page.find("```cpp\n", section) + 7, end = page.find("```", begin);
-  ASSERT_LT(begin, end);
-  EXPECT_NE(text_of(root + "/tests/sim/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
-            std::string::npos);
+  expect_program_of_section("## Bodies that come and go");
 }
 
 }  // namespace

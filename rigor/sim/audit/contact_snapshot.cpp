@@ -204,10 +204,6 @@ void add_joint_forces(const Model& model, const Method& method, const ContactSys
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// What the motors do whose springs the State of the penalty scheme remembers.
 void set_efforts_of_springs(const Model& model, const Method& method, const State& state,
                             const ContactSystemAssembler& assembler, const Environment& environment,
