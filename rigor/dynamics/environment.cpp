@@ -121,17 +121,30 @@ void Environment::add_spring(const Spring& spring) {
 
 void Environment::add_joints() {
   for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
-    std::vector<int> bodies = model_->bodies_of_joint(j);
+    // A joint holds its dynamic bodies; the others and the world are what it ties them to.
+    std::vector<int> bodies = model_->bodies_of_joint(j), anchors;
+    std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(anchors),
+                 [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
+    if (model_->joint(j).body_A == world_body || model_->joint(j).body_B == world_body)
+      anchors.push_back(world_body);
     std::erase_if(bodies, [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
+    const std::vector<JointAxis>& axes = model_->joint(j).axes;
+    const bool has_stiffness =
+        std::any_of(axes.begin(), axes.end(), [](const JointAxis& axis) { return axis.stiffness > 0; });
     for (const int body : bodies) {
       Acting& acting = acting_on(body);
       acting.is_forced = acting.is_jointed = true;
+      acting.has_joint_stiffness = acting.has_joint_stiffness || has_stiffness;
       std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(acting.joint_partners),
                    [body](int other) { return other != body; });
+      acting.joint_anchors.insert(acting.joint_anchors.end(), anchors.begin(), anchors.end());
       if (has_springs(model_->joint(j))) acting.joint_springs.push_back(j);
     }
   }
-  for (Acting& acting : acting_) acting.joint_partners = sorted_unique(std::move(acting.joint_partners));
+  for (Acting& acting : acting_) {
+    acting.joint_partners = sorted_unique(std::move(acting.joint_partners));
+    acting.joint_anchors = sorted_unique(std::move(acting.joint_anchors));
+  }
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {

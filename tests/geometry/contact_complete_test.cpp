@@ -171,5 +171,53 @@ TEST(ContactSetIsComplete, OfAThinDiskThatWobblesWithBothRimsInReach) {
   }
 }
 
+/// Whether (0, 0) lies in the convex hull of the points: no half-plane through it holds them all.
+bool surround_origin(const std::vector<Vec2>& points) {
+  return std::ranges::all_of(points, [&](const Vec2& p) {
+    const Vec2 across(-p.y(), p.x());
+    const auto is_left = [&](const Vec2& other) { return across.dot(other) > 0; };
+    const auto is_behind = [&](const Vec2& other) { return p.dot(other) <= 0; };
+    return std::ranges::any_of(points, is_behind) && std::ranges::any_of(points, is_left) &&
+           !std::ranges::all_of(points, is_left);
+  });
+}
+
+TEST(ContactSetIsComplete, OfWhatJutsOutOverARimItSurroundsTheCentreOfMass) {
+  // A body stands on a round table and juts out over its rim, tilted by so little that the whole region of
+  // contact is within the tolerance. Whichever of two faces and the rims between them separates best, the
+  // points hold the body: its centre, which is well over the table, lies among them. (A rim stands on four
+  // points and where it is crossed, so that the last of an arc between them is not held.)
+  Draw draw(20261126);
+  for (int k = 0; k < 3000; ++k) {
+    const double r = draw.uniform(0.02, 0.3), table_radius = draw.uniform(4, 15) * r,
+                 half = draw.uniform(0.3, 2) * r;
+    const double tilt = k % 10 == 0 ? 0 : std::pow(10, draw.uniform(-11, -6.4)) / (2 * r);
+    const double out = table_radius - draw.uniform(0.5, 0.9) * r,
+                 azimuth = draw.uniform(0, 2 * std::numbers::pi);
+    const double direction = draw.uniform(0, 2 * std::numbers::pi),
+                 deep = std::pow(10, draw.uniform(-12, -7));
+    const Shape table = Cylinder{table_radius, 0.1};
+    const Shape body = k % 3 == 0   ? Shape(Cylinder{r, half})
+                       : k % 3 == 1 ? Shape(Cone{r, half})
+                                    : Shape(Box{Vec3(r, draw.uniform(0.3, 1) * r, half)});
+    const Vec3 axis(std::cos(direction), std::sin(direction), 0);
+    const Mat3 R = rotation_matrix(rotation_exp(tilt * axis)) *
+                   rotation_matrix(rotation_exp(draw.uniform(0, 6) * Vec3::UnitZ()));
+    const Vec3 centre(out * std::cos(azimuth), out * std::sin(azimuth), 0.1 + half - deep);
+    const Pose X_WT{rotation_matrix(rotation_exp(draw.uniform(0, 6) * Vec3::UnitZ())), Vec3::Zero()},
+        X_WB{R, centre};
+
+    const double distance = signed_distance(table, X_WT, body, X_WB).distance;
+    const std::vector<ContactPoint> set = contact_set(table, X_WT, body, X_WB, kTolerance);
+    std::vector<Vec2> places;
+    for (const ContactPoint& point : set) {
+      places.emplace_back((point.p_WB - centre).head<2>());
+      EXPECT_GE(point.gap, distance - 1e-9 * table_radius) << k;
+      EXPECT_LE((point.n_W - Vec3::UnitZ()).norm(), tilt + 1e-9) << k;
+    }
+    EXPECT_TRUE(surround_origin(places)) << k << ": " << set.size() << " points, tilt " << tilt;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::contact_complete_test

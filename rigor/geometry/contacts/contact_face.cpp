@@ -25,7 +25,7 @@ std::optional<std::vector<ContactPoint>> face_contacts(const ContactPair& pair, 
   // What the other shape shows to the plane of the face.
   const ContactShape& owner = face_is_of_A ? pair.a : pair.b;
   const ContactShape& shape = face_is_of_A ? pair.b : pair.a;
-  const LowerSide side = shape.lower_side(face.normal, face.center, pair.scale.tolerance);
+  const LowerSide side = shape.lower_side(face, pair.scale.tolerance);
 
   // The part of the face under it, by its corners; those within the tolerance are contacts.
   std::vector<ContactPoint> contacts;

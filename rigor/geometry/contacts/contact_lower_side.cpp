@@ -13,10 +13,19 @@ constexpr double kSteep = 1e-3;
 /// A cap or a side counts as facing a plane below 45°.
 constexpr double kFacing = 0.70710678;
 
+/// Distance of the farthest point of a face from its centre [m].
+double extent_of(const FlatFace& face) {
+  if (face.kind == FlatFace::Kind::plane) return std::numeric_limits<double>::infinity();
+  double extent = face.radius;
+  for (const FaceCorner& corner : face.corners) extent = std::max(extent, (corner.p - face.center).norm());
+  return extent;
+}
+
 }  // namespace
 
-LowerSide ContactShape::lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
-  return is_polyhedron() ? polyhedron_lower_side(n, p_plane, reach) : round_lower_side(n, p_plane, reach);
+LowerSide ContactShape::lower_side(const FlatFace& face, double reach) const {
+  return is_polyhedron() ? polyhedron_lower_side(face.normal, face.center, reach)
+                         : round_lower_side(face, reach);
 }
 
 LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
@@ -53,18 +62,26 @@ LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane
   return side;
 }
 
-LowerSide ContactShape::round_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
+/// Whether a cap lies flat on a face: its whole disk is within reach, or what of it lies over the face, or it
+/// is flat to rounding. Over a small face a wide disk lies flat though its far rim is higher.
+bool ContactShape::is_flat_over(const FlatFace& face, const FlatFace& disk, double reach) const {
+  const double cosine = -disk.normal.dot(face.normal), sine = disk.normal.cross(face.normal).norm();
+  if (cosine < kFacing) return false;
+  const double at_center = face.normal.dot(disk.center - face.center);
+  const double over_face = (face.center - disk.center).dot(disk.normal) / cosine;
+  return sine <= 1e-12 || at_center + disk.radius * sine <= reach ||
+         over_face + extent_of(face) * sine / cosine <= reach;
+}
+
+LowerSide ContactShape::round_lower_side(const FlatFace& face, double reach) const {
   LowerSide side;
-  const Vec3 m = -n;
+  const Vec3 &n = face.normal, &p_plane = face.center, m = -n;
   const auto height = [&](const Vec3& p) { return n.dot(p - p_plane); };
 
-  // A cap whose whole disk is within reach, or flat to rounding, stands on four points of its rim.
+  // A cap that lies flat stands on four points of its rim.
   for (const int index : {0, 1}) {
     const std::optional<FlatFace> disk = cap(index);
-    if (!disk) continue;
-    const double sine = disk->normal.cross(m).norm();
-    const bool is_flat = height(disk->center) + disk->radius * sine <= reach || sine <= 1e-12;
-    if (disk->normal.dot(m) < kFacing || !is_flat) continue;
+    if (!disk || !is_flat_over(face, *disk, reach)) continue;
     for (int k = 0; k < 4; ++k) {
       const double sign = k < 2 ? 1 : -1;
       const Vec3 p = disk->center + sign * disk->radius * X_OS_.R.col(k % 2);

@@ -17,6 +17,8 @@ constexpr double kRounding = 1e-13;
 constexpr double kWitnessError = 1e-6;
 /// Normals that differ by more are different directions.
 constexpr double kSameNormal = 1e-6;
+/// Faces whose heights over each other differ by less than this part of the tolerance lie on each other.
+constexpr double kOnEachOther = 0.5;
 
 struct ReferenceFace {
   FlatFace face;
@@ -38,13 +40,24 @@ std::vector<ReferenceFace> faces_at_witnesses(const ContactPair& pair, const Dis
   return faces;
 }
 
-/// Those whose normals separate the shapes as well as any direction known.
+/// Unit normal of the face from A to B.
+Vec3 normal_from_A(const ReferenceFace& face) {
+  return face.is_of_A ? face.face.normal : -face.face.normal;
+}
+
+/// Those whose normals separate the shapes as well as any direction known. Where faces lie on each other up
+/// to a tilt far below the tolerance, the best direction is that of two edges between their normals; then the
+/// faces count that agree with it.
 std::vector<ReferenceFace> best_faces(const ContactPair& pair, std::vector<ReferenceFace> faces,
                                       const Vec3& n) {
   // The largest separation known is the best bound of the signed distance.
   double best = separation(pair, n);
   for (const ReferenceFace& face : faces) best = std::max(best, face.separation);
-  std::erase_if(faces, [&](const ReferenceFace& face) { return face.separation < best - pair.scale.tie; });
+  const double level = std::max(pair.scale.tie, kOnEachOther * pair.scale.tolerance);
+  std::erase_if(faces, [&](const ReferenceFace& face) {
+    const bool agrees = (normal_from_A(face) - n).norm() * pair.scale.size <= level;
+    return face.separation < best - (agrees ? level : pair.scale.tie);
+  });
   return faces;
 }
 
@@ -74,11 +87,8 @@ bool is_on_border(const ContactPair& pair, const ReferenceFace& reference,
 
 /// Faces in different directions separate equally well only where the shapes meet at an edge or a corner.
 bool is_ambiguous(const std::vector<ReferenceFace>& faces) {
-  const auto normal = [](const ReferenceFace& face) {
-    return face.is_of_A ? face.face.normal : (-face.face.normal).eval();
-  };
   return std::any_of(faces.begin(), faces.end(), [&](const ReferenceFace& face) {
-    return (normal(face) - normal(faces.front())).norm() > kSameNormal;
+    return (normal_from_A(face) - normal_from_A(faces.front())).norm() > kSameNormal;
   });
 }
 
@@ -88,7 +98,8 @@ ContactScale contact_scale(const ContactShape& a, const ContactShape& b, double 
   const double smaller = a.is_plane() ? b.size() : b.is_plane() ? a.size() : std::min(a.size(), b.size());
   const double larger = std::max(a.size(), b.size());
   const double rounding = kRounding * larger;
-  return {.tolerance = tolerance,
+  return {.size = smaller,
+          .tolerance = tolerance,
           .tie = rounding,
           .slack = std::max(std::min(tolerance, kMerge * smaller), rounding),
           .merge = std::max(kMerge * smaller, rounding)};

@@ -81,6 +81,7 @@ struct LowerSide {
 
 /// Tolerances of one pair, all from the sizes of its shapes [m].
 struct ContactScale {
+  double size;       ///< Of the smaller shape.
   double tolerance;  ///< Of the set.
   double tie;        ///< Separations this close are equal: rounding.
   double slack;      ///< A point this far outside a boundary still counts as on it.
@@ -119,9 +120,9 @@ class ContactShape {
   Vec3 support(const Vec3& m) const;
   /// Flat faces whose planes pass the point p at no more than `reach`.
   std::vector<FlatFace> faces_near(const Vec3& p, double reach) const;
-  /// The lower side as seen from a plane with normal n through p_plane; only features that come closer than
+  /// The lower side as seen from a face of another shape; only features that come closer to its plane than
   /// `reach`.
-  LowerSide lower_side(const Vec3& n, const Vec3& p_plane, double reach) const;
+  LowerSide lower_side(const FlatFace& face, double reach) const;
   /// Height above p, along n, at which a line meets the lower side of a polyhedron or the disk; nothing if it
   /// misses by more than `slack`. Sides steeper than 89.9° do not count as lower.
   std::optional<double> height_above(const Vec3& p, const Vec3& n, const std::optional<FlatFace>& disk,
@@ -161,7 +162,8 @@ class ContactShape {
   Feature ring_feature_at(const Vec3& p_S, const Vec3& m_S) const;
 
   LowerSide polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const;
-  LowerSide round_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const;
+  LowerSide round_lower_side(const FlatFace& face, double reach) const;
+  bool is_flat_over(const FlatFace& face, const FlatFace& disk, double reach) const;
   SurfaceLine edge_line(int edge) const;
   /// The straight lines of a ruled side on the half plane from the axis towards m, from the lowest up; none
   /// if the surface has none or m lies along the axis.

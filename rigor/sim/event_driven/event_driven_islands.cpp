@@ -1,6 +1,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/islands/displacement.hpp"
+#include "rigor/sim/islands/energy_repair.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -111,6 +112,11 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   joints_.project_positions(t_, running.island.bodies, step.end, report_);
   if (step.is_implicit || step.error > 1) keep_angular_momenta(before_joints, step.end);
   joints_.restore_momenta(running.island, step);
+
+  // Steps of first order leave joints so far off that putting them back lifts the bodies by more than the
+  // rounding of their energy.
+  if (has_moved && (step.is_implicit || step.error > 1))
+    pay_for_correction(*model_, environment_, running.island, before_joints, step);
 
   // The bodies join the cluster.
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();

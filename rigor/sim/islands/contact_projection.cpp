@@ -3,7 +3,6 @@
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
-#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,27 +40,9 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   const std::vector<BodyPhase> drifted = step.end;
   apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, step.end);
 
-  // What it has lifted is paid for by the motion, where the energy of the bodies is theirs to account for.
-  const EnergyBalance balance = energy_balance(model_, environment_, t, island.bodies, island.contacts);
-  if (!balance.is_closed) return;
-  const auto energy = [&](const std::vector<BodyPhase>& phases) {
-    return energy_of_bodies(model_, environment_, island.bodies, phases);
-  };
-  const double gained =
-      energy(step.end) - std::max(energy(drifted), energy(island.start) + step.work.supplied);
-  if (gained <= 0) return;
-
-  // Bodies whose motion cannot pay for it stay where the step has left them.
-  const MomentumScope momentum(model_, island.bodies, step.end);
-  const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gained, balance, step.end);
-  if (taken.energy < gained) {
-    step.end = drifted;
-    return;
-  }
-  step.work.supplied += taken.work;
-
-  // What stands still around the bodies has taken the difference of the momenta.
-  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
+  // What it has lifted is paid for by the motion; bodies whose motion cannot pay for it stay where the step
+  // has left them.
+  if (!pay_for_correction(model_, environment_, island, drifted, step)) step.end = drifted;
 }
 
 bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {

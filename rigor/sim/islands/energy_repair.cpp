@@ -2,9 +2,12 @@
 
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace rigor {
 
@@ -74,24 +77,29 @@ double energy_of_bodies(const Model& model, const Environment& environment, cons
 
 EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
                              const std::vector<int>& bodies, const std::vector<Contact>& contacts) {
-  // Forces besides gravity and steady ones.
+  // Springs and forces without a potential.
   EnergyBalance balance{true, true, {}};
-  for (const int body : bodies) balance.is_closed = balance.is_closed && !environment.is_forced(body);
+  for (const int body : bodies) balance.is_closed = balance.is_closed && environment.keeps_energy(body);
 
   // The prescribed bodies: all stand still, or it is one that moves.
-  int carrier = -1;
+  std::optional<int> carrier;
+  const auto add_prescribed = [&](int body) {
+    if (body == carrier) return;
+    BodyKinetics prescribed;
+    if (body != world_body) prescribed = prescribed_kinetics(model.body(body), t);
+    const bool stands = prescribed.v.isZero(0) && prescribed.w.isZero(0);
+    const bool stood = balance.carrier.v.isZero(0) && balance.carrier.w.isZero(0);
+    balance.is_closed = balance.is_closed && (balance.is_free || (stands && stood));
+    balance.is_free = false;
+    balance.carrier = {prescribed.x, prescribed.v, prescribed.w};
+    carrier = body;
+  };
   for (const Contact& contact : contacts) {
-    for (const int body : {contact.body_A, contact.body_B}) {
-      if (model.body(body).motion == MotionType::dynamic || body == carrier) continue;
-      const BodyKinetics prescribed = prescribed_kinetics(model.body(body), t);
-      const bool stands = prescribed.v.isZero(0) && prescribed.w.isZero(0);
-      const bool stood = balance.carrier.v.isZero(0) && balance.carrier.w.isZero(0);
-      balance.is_closed = balance.is_closed && (balance.is_free || (stands && stood));
-      balance.is_free = false;
-      balance.carrier = {prescribed.x, prescribed.v, prescribed.w};
-      carrier = body;
-    }
+    for (const int body : {contact.body_A, contact.body_B})
+      if (body != world_body && model.body(body).motion != MotionType::dynamic) add_prescribed(body);
   }
+  for (const int body : bodies)
+    for (const int anchor : environment.joint_anchors(body)) add_prescribed(anchor);
   return balance;
 }
 
@@ -129,6 +137,33 @@ TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodi
     phases[i].L -= less * rest[i].L;
   }
   return {taken, balance.is_free ? 0 : -less * power};
+}
+
+bool pay_for_correction(const Model& model, const Environment& environment, const Island& island,
+                        const std::vector<BodyPhase>& uncorrected, IslandStep& step) {
+  const EnergyBalance balance =
+      energy_balance(model, environment, island.begin + step.h, island.bodies, island.contacts);
+  if (!balance.is_closed) return true;
+
+  // What the corrections have added.
+  const auto energy = [&](const std::vector<BodyPhase>& phases) {
+    return energy_of_bodies(model, environment, island.bodies, phases);
+  };
+  const double gained =
+      energy(step.end) - std::max(energy(uncorrected), energy(island.start) + step.work.supplied);
+  if (gained <= 0) return true;
+
+  // All of it is taken, or nothing.
+  std::vector<BodyPhase> paid = step.end;
+  const TakenEnergy taken = take_kinetic_energy(model, island.bodies, gained, balance, paid);
+  if (taken.energy < gained) return false;
+  const MomentumScope momentum(model, island.bodies, step.end);
+  step.end = std::move(paid);
+  step.work.supplied += taken.work;
+
+  // What stands still around the bodies has taken the difference of the momenta.
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
+  return true;
 }
 
 }  // namespace rigor

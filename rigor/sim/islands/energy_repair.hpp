@@ -2,6 +2,7 @@
 
 #include "rigor/contact/system/contact.hpp"
 #include "rigor/dynamics/environment.hpp"
+#include "rigor/sim/islands/island.hpp"
 
 #include <vector>
 
@@ -43,5 +44,12 @@ struct TakenEnergy {
 /// and s² = 1 - amount / T(W). In a free group U·M W is zero.
 TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount,
                                 const EnergyBalance& balance, std::vector<BodyPhase>& phases);
+
+/// Lets the motion at the end of a step pay for what corrections of its positions have lifted since it ended
+/// with the phases `uncorrected`, where the energy of the bodies is theirs to account for: they then have no
+/// more energy than before the corrections, or than their start and the work allow. False, with the step as
+/// it is, if their motion cannot pay.
+bool pay_for_correction(const Model& model, const Environment& environment, const Island& island,
+                        const std::vector<BodyPhase>& uncorrected, IslandStep& step);
 
 }  // namespace rigor
