@@ -90,14 +90,17 @@ Json warnings_json(const Audit& audit) {
   return json;
 }
 
+/// Names are unique, so each entry is appended: looking for an equal one would take time in proportion to
+/// the square of the number of bodies.
 Json bodies_json(const Audit& audit) {
   Json json = Json::object();
   for (const Audit::BodyEnd& body : audit.bodies) {
     const Quat& q = body.orientation;
-    json[body.name] = {{"position", json_of(body.position)},
-                       {"orientation", {q.w(), q.x(), q.y(), q.z()}},
-                       {"velocity", json_of(body.velocity)},
-                       {"angular_velocity", json_of(body.angular_velocity)}};
+    json.get_ref<Json::object_t&>().emplace_back(body.name,
+                                                 Json{{"position", json_of(body.position)},
+                                                      {"orientation", {q.w(), q.x(), q.y(), q.z()}},
+                                                      {"velocity", json_of(body.velocity)},
+                                                      {"angular_velocity", json_of(body.angular_velocity)}});
   }
   return json;
 }

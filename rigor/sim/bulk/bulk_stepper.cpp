@@ -81,10 +81,15 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
   constexpr double sliding = 0.999;  // Of the limit of friction: impulses are 32-bit numbers.
   std::vector<TouchingPoint> points;
   if (last_step_ == 0) return points;
+  // The velocities of each body once: it may have many contacts.
+  std::vector<std::pair<Vec3, Vec3>> motions;
+  for (int i = 0; i < model_->body_count(); ++i)
+    motions.emplace_back(linear_velocity(*model_, state, i), angular_velocity(*model_, state, i));
   const auto velocity = [&](int body, const Vec3& p_W) {
-    return Vec3(linear_velocity(*model_, state, body) +
-                angular_velocity(*model_, state, body).cross(p_W - state.position(body)));
+    const auto& [v, w] = motions[at(body)];
+    return Vec3(v + w.cross(p_W - state.position(body)));
   };
+  // Contacts come in the order of their bodies.
   for (const BulkContact& contact : world_.contacts()) {
     const double normal = contact.normal_impulse();
     const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
@@ -107,9 +112,6 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
       own.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
     }
   }
-  std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {
-    return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
-  });
   return points;
 }
 

@@ -25,11 +25,28 @@ const Bytef* bytes_of(std::string_view text) {
   return reinterpret_cast<const Bytef*>(text.data());
 }
 
+/// How zlib packs.
+struct Packing {
+  int level, strategy;
+};
+
+/// Small blocks are worth the effort: it takes some milliseconds. Columns of residuals hardly ever repeat but
+/// for runs of one byte: looking for those alone takes a seventh of the time and costs a twentieth of the
+/// size.
+Packing packing_of(std::string_view kind, std::size_t size) {
+  constexpr std::size_t small = 1 << 18;
+  if (size <= small) return {Z_BEST_COMPRESSION, Z_DEFAULT_STRATEGY};
+  const bool has_columns = kind == "frames" || kind == "contacts";
+  return {Z_DEFAULT_COMPRESSION, has_columns ? Z_RLE : Z_DEFAULT_STRATEGY};
+}
+
 /// The bytes as zlib packs them, piece by piece: a large mesh takes seconds.
-std::string deflated(std::string_view bytes, int level) {
+std::string deflated(std::string_view bytes, const Packing& packing) {
+  constexpr int window_bits = 15, memory_level = 8;  // As deflateInit has them.
   constexpr std::size_t piece = std::size_t{1} << 20;
   z_stream stream{};
-  RIGOR_ASSERT(deflateInit(&stream, level) == Z_OK);
+  RIGOR_ASSERT(
+      deflateInit2(&stream, packing.level, Z_DEFLATED, window_bits, memory_level, packing.strategy) == Z_OK);
   const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
   std::string packed(compressBound(static_cast<uLong>(bytes.size())), '\0');
   std::size_t size = 0;
@@ -56,10 +73,7 @@ std::string deflated(std::string_view bytes, int level) {
 }  // namespace
 
 PageBlock make_page_block(std::string kind, std::string_view bytes) {
-  // Small blocks are worth the effort: it takes some milliseconds.
-  constexpr std::size_t small = 1 << 18;
-  const int level = bytes.size() <= small ? Z_BEST_COMPRESSION : Z_DEFAULT_COMPRESSION;
-  std::string packed = deflated(bytes, level);
+  std::string packed = deflated(bytes, packing_of(kind, bytes.size()));
   const uLong checksum = crc32_z(0, bytes_of(packed), packed.size());
   return {std::move(kind), bytes.size(), std::move(packed), static_cast<std::uint32_t>(checksum)};
 }

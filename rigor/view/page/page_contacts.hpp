@@ -59,8 +59,8 @@ class PageContacts {
   std::vector<TouchingPoint> crowd_of(const std::vector<TouchingPoint>& all) const;
   Numbers numbers_of(const TouchingPoint& point, const Steps& steps) const;
   static void put_in_order(Frame& frame);
-  static const Numbers* numbers_in(const Frame& frame, const Name& name);
-  static Numbers expected(const Name& name, const Frame& last, const Frame& before);
+  class Lookup;
+  static Numbers expected(const Name& name, Lookup& last, Lookup& before);
 
   Vec3 origin_;
   double place_step_, gap_step_, body_radius_;

@@ -198,8 +198,11 @@ std::vector<MotionEvent> strongest_events(const std::vector<MotionEvent>& events
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   events_ = strongest_events(events_, most_page_events);
   const PageGeometry geometry = page_geometry(*model_);
-  Json audit_of_run = Json::parse(audit_json(audit));
-  audit_of_run.erase("bodies");  // The frames hold their final poses.
+  // The frames hold the final poses of the bodies.
+  Audit without_bodies = audit;
+  without_bodies.bodies.clear();
+  Json audit_of_run = Json::parse(audit_json(without_bodies));
+  audit_of_run.erase("bodies");
   Json header = {{"format", 1},
                  {"rigor", version},
                  {"scene", name_},
