@@ -85,45 +85,5 @@ TEST(JointLimits, AnArmDoesNotFeelWhatSharesItsLanes) {
   }
 }
 
-/// A limb that a limit stops within one substep has turned by θ = ω h as foreseen and by nothing in the end:
-/// the first correction leaves r θ²/2 of the joint's places, and the second, which a limb that stands after
-/// the first one needs too, a part θ of that.
-TEST(JointLimits, AFastLimbThatStopsKeepsItsJoint) {
-  constexpr double r = 0.5, h = 1.0 / 60;
-  for (const double spin : {20.0, 30.0, 40.0, 55.0}) {
-    ModelBuilder builder;
-    builder.set_gravity(Vec3::Zero());
-    builder.add_material({"m", 1000, 0.5, 0});
-    BodyDescription limb;
-    limb.name = "limb";
-    limb.p_WU = Vec3(r, 0, 0);
-    limb.velocity = Vec3(0, 0, -r * spin);
-    limb.angular_velocity = Vec3(0, spin, 0);
-    limb.shapes.push_back({Box{Vec3(0.45, 0.1, 0.1)}, Vec3::Zero(), Quat::Identity(), "m", ""});
-    builder.add_body(limb);
-    ModelBuilder::JointDescription joint;
-    joint.name = "joint";
-    joint.type = JointType::hinge;
-    joint.bodies = {"world", "limb"};
-    joint.anchors = {Vec3::Zero()};
-    joint.axis = Vec3::UnitY();
-    joint.axes = {JointAxis{.lower = kLower, .upper = kUpper}};
-    builder.add_joint(joint);
-    const std::shared_ptr<const Model> model = builder.build();
-    // It stops in the last substep of a step, after which the error is looked at: one substep a step.
-    BulkWorld world(model, {.substeps = 1});
-    world.read(make_initial_state(*model));
-    const double step = h / 6, theta = spin * step;
-    double worst = 0;
-    for (int k = 0; k < 60; ++k) {
-      world.step(step);
-      const Vec3 anchor = world.bodies().x[0] + world.bodies().q[0] * Vec3(-r, 0, 0);
-      worst = std::max(worst, anchor.norm());
-    }
-    EXPECT_LE(worst, r * theta * theta * theta) << spin;
-    EXPECT_LT(world.bodies().q[0].angularDistance(Quat(Eigen::AngleAxisd(kUpper, Vec3::UnitY()))), 0.05);
-  }
-}
-
 }  // namespace
 }  // namespace rigor::joint_limits_test
