@@ -31,9 +31,7 @@ constexpr double most_parts = 1024, part_rounding = 1e-9;
 }  // namespace
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
-    : model_(std::move(model)),
-      settings_(settings),
-      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {
+    : model_(std::move(model)), settings_(settings), scratch_(std::make_unique<Scratch>(*model_, settings)) {
   if (settings.sleeping) scratch_->sleepers.emplace(*model_, settings.sleep_rules);
 }
 
@@ -221,7 +219,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   s.forces.compute(bodies_, h, s.executor);
   s.unconstrained.resize(bodies_.x.size());
-  find_bodies_outside_chains();
+  find_bodies_outside_chains(h);
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
   s.joints->prepare(bodies_, substep, s.executor);
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
@@ -234,6 +232,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
+    s.passing.note(bodies_, s.outside_chains);
     s.contacts.add_up(s.executor);
   }
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
@@ -377,9 +376,13 @@ int BulkWorld::solve_directly(double h) {
 }
 
 /// Finds the bodies whose substeps are taken here: all that move, except those of trees that touch nothing.
-void BulkWorld::find_bodies_outside_chains() {
+void BulkWorld::find_bodies_outside_chains(double h) {
   Scratch& s = *scratch_;
-  if (s.joints->may_have_contact_free_chains()) s.joints->find_contact_free_chains(bodies_, s.touches);
+  if (s.joints->may_have_contact_free_chains()) {
+    // Trees that turn fast near others are no free ones: the ways of their bodies are noted.
+    s.passing.mark_bent(bodies_, s.pairs, h, s.touches);
+    s.joints->find_contact_free_chains(bodies_, s.touches);
+  }
   s.outside_chains.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
     if (bodies_.stirs(i) && !s.joints->is_free(i)) s.outside_chains.push_back(i);

@@ -111,7 +111,7 @@ class BulkWorld {
   int solve_directly(double h);
   void bounce_apart();
   void find_touching_bodies();
-  void find_bodies_outside_chains();
+  void find_bodies_outside_chains(double h);
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
 

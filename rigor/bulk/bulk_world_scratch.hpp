@@ -24,8 +24,8 @@ namespace rigor {
 
 /// The parts of a BulkWorld and their working memory.
 struct BulkWorld::Scratch {
-  Scratch(const Model& model, int threads)
-      : executor(threads),
+  Scratch(const Model& model, const BulkSettings& settings)
+      : executor(settings.threads),
         pair_finder(model),
         narrow_phase(model),
         contacts(model),
@@ -36,7 +36,7 @@ struct BulkWorld::Scratch {
         prescribed(model),
         bounce_limits(model),
         energy_bound(model),
-        passing(model),
+        passing(model, settings.substeps),
         balance(model),
         forces(model) {}
 

@@ -37,7 +37,7 @@ RIGOR_FLOAT_LANES void correct_places(float h, const FloatLanes& part, JointBloc
   // Where the bodies will be, if velocities stay.
   clear_pushes(block);
   for (JointSlot& slot : block.slots) {
-    slot.next_rotation = lane_rotation(compose_rotations(slot.dr, float_lanes(h) * slot.w));
+    slot.next_rotation = rotation_on(slot.dr, float_lanes(h) * slot.w);
   }
 
   // From the leaves up: how far the joints will be off, and the pushes; then from the root down.
@@ -57,8 +57,9 @@ RIGOR_FLOAT_LANES void correct_places(float h, const FloatLanes& part, JointBloc
 
 /// Step 2 of a substep (docs/theory/bulk_joints.md, section 1).
 RIGOR_FLOAT_LANES void hold_in_lanes(float h, JointBlock& block) {
+  const FloatLanes were_fast = fast_lanes(h, block);
   correct_places(h, float_lanes(1), block);
-  const FloatLanes part = fast_lanes(h, block);
+  const FloatLanes part = float_max(were_fast, fast_lanes(h, block));
   if (!is_zero(part)) correct_places(h, part, block);
 }
 

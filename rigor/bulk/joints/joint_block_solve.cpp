@@ -200,9 +200,11 @@ void correct(float h, LaneTarget target, Block& block) {
     run_stage(JointStage::drift, h, target, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }
+  // What has rotated fast before a limit stopped it needs the second one as well.
+  const FloatLanes were_fast = fast_lanes(h, block.lanes);
   for (int k = 0; k < kCorrections; ++k) {
     const bool is_short = k > 0 && !block.lanes.loops;
-    const FloatLanes part = is_short ? fast_lanes(h, block.lanes) : float_lanes(1);
+    const FloatLanes part = is_short ? float_max(were_fast, fast_lanes(h, block.lanes)) : float_lanes(1);
     if (is_zero(part)) break;
     run_stage(JointStage::miss, h, target, block.lanes);
     if (is_short) leave_out(part, block.lanes);

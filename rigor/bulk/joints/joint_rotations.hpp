@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/joints/joint_lanes.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
 
 #include <cmath>
 
@@ -40,6 +41,19 @@ RIGOR_FLOAT_LANES FloatVec3 axis_of(const FloatQuat& q, int k) {
 RIGOR_FLOAT_LANES FloatVec3 compose_rotations(const FloatVec3& r, const FloatVec3& s) {
   const FloatVec3 across = cross(r, s);
   return r + (s + (float_lanes(1.0F / 12) * cross(r, across) - float_lanes(0.5F) * across));
+}
+/// The rotation exp(s) exp(r) of a body that has rotated by r and rotates on by s, as turn_further() composes
+/// it: joints hold where the displacements take the bodies.
+RIGOR_FLOAT_LANES FloatQuat rotation_on(const FloatVec3& r, const FloatVec3& s) {
+  const FloatQuat near = lane_rotation(compose_rotations(r, s));
+  const FloatLanes squares = dot(r, r) + dot(s, s);
+  const auto is_far = squares > float_lanes(kFarTurn * kFarTurn);
+  bool has_far = false;
+  for (int i = 0; i < kLaneCount; ++i) has_far = has_far || is_far[i] != 0;
+  if (!has_far) return near;
+  const FloatQuat far = lane_rotation(s) * lane_rotation(r);
+  return {is_far ? far.w : near.w,
+          {is_far ? far.v.x : near.v.x, is_far ? far.v.y : near.v.y, is_far ? far.v.z : near.v.z}};
 }
 /// a with unit length; `instead` where a has hardly any.
 RIGOR_FLOAT_LANES FloatVec3 unit_or(const FloatVec3& a, const FloatVec3& instead) {

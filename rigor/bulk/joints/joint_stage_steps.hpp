@@ -113,7 +113,7 @@ RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block)
     if (stage == JointStage::factor && !block.loops) set_resistance(slot);
     // Where it will be, if velocities stay.
     if (stage == JointStage::miss) {
-      slot.next_rotation = lane_rotation(compose_rotations(slot.dr, float_lanes(h) * slot.w));
+      slot.next_rotation = rotation_on(slot.dr, float_lanes(h) * slot.w);
     }
     // Nothing has been pushed yet.
     if (stage == JointStage::miss || stage == JointStage::drift) {

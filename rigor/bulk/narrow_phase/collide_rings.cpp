@@ -120,6 +120,35 @@ bool flat_is_best(const RingCore& a, const RingCore& b, const PartingAxis& best,
   return is_proven(best, foot, between, balls);
 }
 
+/// Whether the best direction is the best of all, where it is of the straight line on one side and a circle:
+/// the line and an arc of the circle decide as a foot does (docs/theory/narrow_phase.md, "Rings").
+bool side_and_ring_are_best(const RingCore& a, const RingCore& b, const PartingAxis& best, float rounding) {
+  const ShownSide of_A = a.shown_side(best.n, false), of_B = b.shown_side(-best.n, false);
+  if (of_A.is_straight == of_B.is_straight) return false;
+  const bool line_is_of_A = of_A.is_straight;
+  const ShownSide &line = line_is_of_A ? of_A : of_B, &other = line_is_of_A ? of_B : of_A;
+  const RingCore& ring = line_is_of_A ? b : a;
+  const auto flat = [&](const Vec3f& p) { return Vec3f(p - best.n.dot(p) * best.n); };
+  // The lowest point of the circle over the line.
+  const Vec3f u = line.ends[1] - line.ends[0], w = other.lowest - line.ends[0];
+  const float square = u.squaredNorm(), t = u.dot(w) / square;
+  if (!(t > 0 && t < 1)) return false;
+  const float beside = flat(w - t * u).squaredNorm(), s = best.separation;
+  if (s >= 0 && beside <= 2 * rounding * s) return true;
+  // The circle's tangent there makes an angle of the sine k with the line.
+  const Vec3f out = other.lowest - ring.center, tangent = ring.axis.cross(out);
+  const float r = tangent.norm(), kk = u.cross(tangent).squaredNorm() / (square * r * r);
+  const float deep = std::max(-s, 0.0f) + 2 * std::sqrt(beside);
+  const float arc = r * kk, end = std::min(t, 1 - t) * std::sqrt(square * kk);
+  if (!(arc > 10 * deep && end > 4 * deep && beside <= rounding * (0.1f * arc - deep))) return false;
+  // They decide up to this angle, beyond it the balls.
+  const bool is_shallow = arc > 65 * deep && end > 15 * deep;
+  const float cosine = is_shallow ? -0.8660254f : 0.0f, sine = is_shallow ? 0.5f : 1.0f;
+  const Vec3f ball_A = a.ball_near(b.center), between = b.ball_near(ball_A) - ball_A;
+  const float along = best.n.dot(between), across = (between - along * best.n).norm();
+  return along * sine > across * cosine && along * cosine + across * sine - a.inner - b.inner <= s;
+}
+
 /// The points over a cap, if one is as deep as `most`.
 bool add_cap(const RingCore& a, const RingCore& b, const PartingAxis& axis, float most,
              const RegionScale& scale, std::vector<ManifoldCandidate>& candidates) {
@@ -169,6 +198,8 @@ ShownSide RingCore::shown_side(const Vec3f& m, bool with_cap) const {
     side.kind = ShownSide::Kind::segment;
     side.is_straight = std::abs(along - numbers.k) < straight;
     for (const int k : {0, 1}) side.ends[k] = on_ring(k), side.end_names[k] = kLowestName + k;
+    side.m = axis;
+    side.center = center + numbers.z[0] * axis;
   }
   return side;
 }
@@ -220,8 +251,12 @@ Outcome collide_rings(const RingCore& a, const RingCore& b, float margin, RingCo
   const BestCap cap = find_best_cap(axes, a, b, lengths.rounding);
   const float limit = margin + lengths.radii;
   if (!(best.separation > limit) && !flat_is_best(a, b, best, cap)) {
-    find_curved_ring_axes(pair, best_lane_target(), axes);
-    best = find_best_axis(axes, RingAxes::group_count);
+    find_side_ring_axes(pair, best_lane_target(), axes);
+    best = find_best_axis(axes, RingAxes::side_and_ring + 1);
+    if (!(best.separation > limit) && !side_and_ring_are_best(a, b, best, lengths.rounding)) {
+      find_two_ring_axes(pair, best_lane_target(), axes);
+      best = find_best_axis(axes, RingAxes::group_count);
+    }
   }
   contacts.n = best.n;
   const float gap = best.separation - lengths.radii;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rigor {
 
@@ -178,6 +179,49 @@ bool add_side_by_side(const SidePair& pair, std::vector<ManifoldCandidate>& cand
   return true;
 }
 
+/// How far below p, along the unit vector `up`, the round side is that shows the segment, grown by `radius`
+/// [m]. Nothing where p is beyond its circles, or nearer to its border than half of its radius, where it is
+/// steep.
+std::optional<float> height_over_side(const ShownSide& side, float radius, const Vec3f& p, const Vec3f& up) {
+  constexpr float least_square = 0.5f;  // Of the cosine of the slope.
+  const Vec3f w = p - side.center;
+  const float z = side.m.dot(w), c = side.m.dot(up), length = side.m.dot(side.ends[1] - side.ends[0]);
+  const Vec3f across = w - z * side.m, n = up - c * side.m;
+  // Points at the height t below p are at the distance |across - t n| from the axis, where the radius is
+  // R - t c slope.
+  const float r = (side.ends[0] - side.center).norm(),
+              slope = ((side.ends[1] - side.center - length * side.m).norm() - r) / length,
+              R = r + slope * z + radius, nn = n.squaredNorm();
+  const float a = nn - slope * slope * c * c, b = across.dot(n) - slope * c * R,
+              square = b * b - a * (across.squaredNorm() - R * R);
+  if (!(a > 0) || !(square > least_square * nn * R * R)) return std::nullopt;
+  const float t = (b - std::sqrt(square)) / a, below = z - t * c;
+  if (!(below >= 0 && below <= length)) return std::nullopt;
+  return t;
+}
+
+/// The ends of each segment over the round side of the other: solids that lie along each other touch at one
+/// point, but rotate about it onto these within the step.
+void add_ends(const SidePair& pair, std::vector<ManifoldCandidate>& candidates) {
+  const RegionScale& scale = pair.scale;
+  for (const bool is_of_A : {true, false}) {
+    const ShownSide &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+    // Away from the other solid.
+    const Vec3f up = is_of_A ? Vec3f(-pair.n) : pair.n;
+    const float own_radius = is_of_A ? scale.radius_A : scale.radius_B,
+                other_radius = is_of_A ? scale.radius_B : scale.radius_A;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      const int name = own.end_names[k];
+      if (!own.is_straight && name == own.lowest_name) continue;  // It is the nearest point.
+      const Vec3f p = own.ends[k] - own_radius * up;
+      const std::optional<float> gap = height_over_side(other, other_radius, p, up);
+      if (gap && *gap <= scale.margin)
+        candidates.push_back(
+            {p - 0.5f * *gap * up, *gap, is_of_A ? vertex_A_feature(name) : vertex_B_feature(name)});
+    }
+  }
+}
+
 /// One point where neither side is a disc or a polygon; returns how far its two points are beside each other.
 float add_nearest(const SidePair& pair, std::vector<ManifoldCandidate>& candidates) {
   const auto begin_of = [](const ShownSide& side) { return side.is_straight ? side.ends[0] : side.lowest; };
@@ -251,7 +295,10 @@ RegionResult find_region(const ShownSide& a, const ShownSide& b, const Vec3f& n,
   RegionResult result{std::numeric_limits<float>::infinity(), 0};
   if (!is_flat(a) && !is_flat(b)) {
     const bool are_segments = a.kind == SideKind::segment && b.kind == SideKind::segment;
-    if (!(are_segments && add_side_by_side(pair, candidates))) result.beside = add_nearest(pair, candidates);
+    if (!(are_segments && add_side_by_side(pair, candidates))) {
+      result.beside = add_nearest(pair, candidates);
+      if (are_segments) add_ends(pair, candidates);
+    }
   } else {
     if (is_flat(b)) add_corners(pair, true, candidates);
     if (is_flat(a)) add_corners(pair, false, candidates);

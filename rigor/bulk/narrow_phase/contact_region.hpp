@@ -15,11 +15,11 @@ struct ShownSide {
   Kind kind = Kind::point;
   Vec3f lowest = Vec3f::Zero();  ///< The point that reaches farthest along the direction [m].
   int lowest_name = 0;
-  Vec3f m = Vec3f::UnitZ();  ///< Outward unit normal of a disc or a polygon.
+  Vec3f m = Vec3f::UnitZ();  ///< Outward unit normal of a disc or a polygon; the axis of a segment's solid.
   Vec3f ends[2];             ///< Of a segment [m].
   int end_names[2] = {0, 0};
   bool is_straight = false;  ///< Whether all of the segment reaches equally far along the direction.
-  Vec3f center;              ///< Of a disc [m].
+  Vec3f center;              ///< Of a disc, or of the circle on which a segment begins [m].
   Vec3f radii[2];            ///< Two radii of a disc, square to each other [m].
   float r = 0;               ///< [m].
   int first_name = 0;        ///< Of the points at these radii and opposite to them.
@@ -44,7 +44,8 @@ struct RegionResult {
   float least, beside;
 };
 /// Finds the points of two sides that lie over each other along n, from A to B: corners of either over the
-/// other, and crossings of their borders; where neither is flat, the nearest points.
+/// other, and crossings of their borders; where neither is flat, the nearest points and, of two segments, the
+/// ends over the round side of the other.
 RegionResult find_region(const ShownSide& a, const ShownSide& b, const Vec3f& n, const RegionScale& scale,
                          std::vector<ManifoldCandidate>& candidates);
 

@@ -7,9 +7,14 @@ void find_flat_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxe
                              : portable_lanes::find_flat_ring_axes(pair, axes);
 }
 
-void find_curved_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes) {
-  target == LaneTarget::avx2 ? avx2_lanes::find_curved_ring_axes(pair, axes)
-                             : portable_lanes::find_curved_ring_axes(pair, axes);
+void find_side_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes) {
+  target == LaneTarget::avx2 ? avx2_lanes::find_side_ring_axes(pair, axes)
+                             : portable_lanes::find_side_ring_axes(pair, axes);
+}
+
+void find_two_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes) {
+  target == LaneTarget::avx2 ? avx2_lanes::find_two_ring_axes(pair, axes)
+                             : portable_lanes::find_two_ring_axes(pair, axes);
 }
 
 }  // namespace rigor

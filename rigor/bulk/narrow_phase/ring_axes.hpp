@@ -33,12 +33,14 @@ struct RingAxes {
 /// a is locally largest; the largest s of all is the signed distance. The flat ones: caps (n along an axis)
 /// and two sides (n across both).
 void find_flat_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes);
-/// The others, once the flat ones are known: a side and a circle (a search in the one angle about the axis),
-/// two circles (Newton's method on the sphere).
-void find_curved_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes);
+/// Once the flat ones are known: a side and a circle (a search in the one angle about the axis).
+void find_side_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes);
+/// Once those are known: two circles (Newton's method on the sphere).
+void find_two_ring_axes(const RingPairNumbers& pair, LaneTarget target, RingAxes& axes);
 
 /// The kernels for each lane target.
 RIGOR_FOR_LANE_TARGETS(void find_flat_ring_axes(const RingPairNumbers& pair, RingAxes& axes);
-                       void find_curved_ring_axes(const RingPairNumbers& pair, RingAxes& axes);)
+                       void find_side_ring_axes(const RingPairNumbers& pair, RingAxes& axes);
+                       void find_two_ring_axes(const RingPairNumbers& pair, RingAxes& axes);)
 
 }  // namespace rigor

@@ -245,11 +245,16 @@ void find_flat_ring_axes(const RingPairNumbers& pair, RingAxes& axes) {
   store_axes(a, b, d, flat_directions(a, b, d), RingAxes::flat, axes);
 }
 
-void find_curved_ring_axes(const RingPairNumbers& pair, RingAxes& axes) {
-  constexpr int steps = 8;
+void find_side_ring_axes(const RingPairNumbers& pair, RingAxes& axes) {
   const RingLanes a = splat_ring(pair.a), b = splat_ring(pair.b);
   const FloatVec3 d = splat_vector(pair.d);
   store_axes(a, b, d, side_directions(a, b, d), RingAxes::side_and_ring, axes);
+}
+
+void find_two_ring_axes(const RingPairNumbers& pair, RingAxes& axes) {
+  constexpr int steps = 8;
+  const RingLanes a = splat_ring(pair.a), b = splat_ring(pair.b);
+  const FloatVec3 d = splat_vector(pair.d);
   // The best so far, a little towards the other solid, is where the search for circles begins.
   int group = 0, lane = 0;
   for (int g = 0; g < 2; ++g)

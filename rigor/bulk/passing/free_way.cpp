@@ -4,9 +4,11 @@
 #include "rigor/geometry/motion/mesh_advance.hpp"
 #include "rigor/geometry/motion/mesh_convex_advance.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -26,6 +28,43 @@ bool is_mesh(const Shape& shape) {
   return std::holds_alternative<Mesh>(shape);
 }
 
+constexpr double deeper_share = 0.05;  ///< What is deep already may become deeper by this share.
+
+/// Whether a plane parts two shapes all along their ways, as far as they may overlap: it is seen without
+/// their distance. Tried are planes across the line of their centres, and along the faces of boxes.
+class PartingPlane {
+ public:
+  PartingPlane(const WayOfShape& A, const WayOfShape& B)
+      : A_(A), B_(B), X_WA_(A.X_WB * A.shape->X_BS), X_WB_(B.X_WB * B.shape->X_BS) {
+    turned_ = A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
+  }
+  bool is_there(double deepest, double deepest_now) const {
+    if (!is_bounded(A_.shape->shape) || !is_bounded(B_.shape->shape)) return false;
+    const Vec3 between = X_WB_.p - X_WA_.p;
+    const auto parts = [&](const Vec3& n) {
+      const double now = n.dot(between) - support_value(A_.shape->shape, X_WA_.R.transpose() * n) -
+                         support_value(B_.shape->shape, X_WB_.R.transpose() * -n);
+      return now >= deepest_now && now + std::min(0.0, n.dot(B_.dp_W - A_.dp_W)) - turned_ >= deepest;
+    };
+    const double length = between.norm();
+    if (length > 0 && parts(between / length)) return true;
+    for (const bool is_A : {true, false}) {
+      if (!std::holds_alternative<Box>((is_A ? A_ : B_).shape->shape)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 n = (is_A ? X_WA_ : X_WB_).R.col(k);
+        if (parts(n.dot(between) < 0 ? Vec3(-n) : n)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const WayOfShape& A_;
+  const WayOfShape& B_;
+  Pose X_WA_, X_WB_;
+  double turned_;
+};
+
 class Walk {
  public:
   Walk(const WayOfShape& A, const WayOfShape& B)
@@ -41,8 +80,10 @@ class Walk {
     length_ = (A.dp_W - B.dp_W).norm() + A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
   }
 
-  double free(double deep_share) const {
-    constexpr double deeper_share = 0.05, unseen_share = 0.5;
+  /// How near they may come [m], -`deep_share` of the thinner one's thickness: found where the first leg
+  /// begins, kept on the others.
+  double free(double deep_share, std::optional<double>& level) const {
+    constexpr double unseen_share = 0.5;
     constexpr int most_steps = 1000;
     const double thinner = std::min(A_.thickness, B_.thickness);
     // Of two convex shapes the thicker one is not skipped either.
@@ -51,19 +92,19 @@ class Walk {
       unseen = unseen_share * std::max(A_.thickness, B_.thickness);
 
     // Conservative advancement, no shorter than what no shape skips.
-    double t = 0, last = 0, level = 0;
+    double t = 0, last = 0;
     for (int k = 0; k < most_steps; ++k) {
       const DistanceResult now = distance(t);
-      if (k == 0) level = std::min(-deep_share * thinner, now.distance - deeper_share * thinner);
-      if (now.distance < level) return last_free(last, t, level);
-      double step = (now.distance - level) / length_;
+      if (!level) level = std::min(-deep_share * thinner, now.distance - deeper_share * thinner);
+      if (now.distance < *level) return last_free(last, t, *level);
+      double step = (now.distance - *level) / length_;
       if (t + step >= 1) return 1;
       if (has_bound_) {
         const SeparationBound bound(core_A_, core_B_, now.n_W, now.distance, t, 1);
-        step = std::max(step, bound.safe_step(1 - t, level));
+        step = std::max(step, bound.safe_step(1 - t, *level));
         if (t + step >= 1) return 1;
       } else if (is_mesh_and_convex_) {
-        step = std::max(step, mesh_step(t, now, -level));
+        step = std::max(step, mesh_step(t, now, -*level));
         if (t + step >= 1) return 1;
       }
       last = t;
@@ -106,10 +147,33 @@ class Walk {
   double length_;  ///< No point goes farther against the other body [m].
 };
 
+/// The part of the way that is free; `level` as in Walk.
+double free_part(const WayOfShape& A, const WayOfShape& B, double deep_share, std::optional<double>& level) {
+  const double thinner = std::min(A.thickness, B.thickness);
+  const double deepest = level.value_or(-deep_share * thinner);
+  if (PartingPlane(A, B).is_there(deepest, level.value_or(deepest + deeper_share * thinner))) {
+    level = deepest;
+    return 1;
+  }
+  return Walk(A, B).free(deep_share, level);
+}
+
 }  // namespace
 
 double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share) {
-  return Walk(A, B).free(deep_share);
+  std::optional<double> level;
+  return free_part(A, B, deep_share, level);
+}
+
+double free_legs(std::span<const WayLeg> legs, double deep_share) {
+  std::optional<double> level;
+  double gone = 0;
+  for (const WayLeg& leg : legs) {
+    const double part = free_part(leg.A, leg.B, deep_share, level);
+    gone += part;
+    if (part < 1) break;
+  }
+  return gone;
 }
 
 }  // namespace rigor

@@ -3,6 +3,8 @@
 #include "rigor/math/pose.hpp"
 #include "rigor/model/body_shapes.hpp"
 
+#include <span>
+
 namespace rigor {
 
 /// A shape on its way: its body moves straight and turns about one axis.
@@ -20,5 +22,12 @@ struct WayOfShape {
 ///
 /// Source of the steps: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2.
 double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share);
+
+/// A stretch of the ways of two shapes, both straight.
+struct WayLeg {
+  WayOfShape A, B;
+};
+/// How many of the legs, one after the other, two shapes can go so; the last one in part.
+double free_legs(std::span<const WayLeg> legs, double deep_share);
 
 }  // namespace rigor

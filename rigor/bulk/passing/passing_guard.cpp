@@ -1,13 +1,11 @@
 #include "rigor/bulk/passing/passing_guard.hpp"
 
-#include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/passing/passing_limits.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
-#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/thickness.hpp"
-#include "rigor/geometry/motion/separation_bound.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -22,34 +20,17 @@ namespace rigor {
 
 namespace {
 
-/// A pair whose bodies move less against each other than this part of the thinner one's thickness is left to
-/// its contacts.
-constexpr double near_share = 0.5;
-/// Points of contact may leave their places by this part of it.
-constexpr double touching_share = 0.02;
-/// [rad], so that an arc is near to its chord.
-constexpr double most_turn = 0.5;
-
 /// Length of the vector that a row of a MotionRecord begins with.
 float length_of(const float* a) {
   const FloatRow row = load_row(a), squares = row * row;
   return std::sqrt(squares[0] + squares[1] + squares[2]);
 }
 
-double norm_of(const float* a) {
-  return vector_of(a).norm();
-}
-
-/// Whether the narrow phase tells by the centre of what touches the shape on which side that is.
-bool is_surface(const Shape& shape) {
-  const Mesh* const mesh = std::get_if<Mesh>(&shape);
-  return mesh != nullptr && mesh->tree->convex == nullptr;
-}
-
 }  // namespace
 
-PassingGuard::PassingGuard(const Model& model)
+PassingGuard::PassingGuard(const Model& model, int substeps)
     : model_(&model),
+      substeps_(substeps),
       filter_(model),
       ranges_(at(model.body_count())),
       turning_(at(model.body_count()), 0),
@@ -115,7 +96,8 @@ const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
 }
 
 void PassingGuard::find_groups() {
-  may_need_parts_ = has_driven() || !model_->joints().empty();
+  has_jointed_ = !model_->joints().empty();
+  may_need_parts_ = has_driven() || has_jointed_;
   // Bodies that joints connect move together.
   is_jointed_.assign(turning_.size(), 0);
   group_.resize(turning_.size());
@@ -137,78 +119,8 @@ void PassingGuard::find_groups() {
   for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
 }
 
-double PassingGuard::longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
-                                  double h) const {
-  if (!may_need_parts_) return h;
-  double part = h;
-  for (const ShapePair& pair : pairs) {
-    for (const bool is_A : {true, false}) {
-      const int body = is_A ? pair.body_A : pair.body_B;
-      const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
-      if (is_driven) part = std::min(part, part_of_driven(pair, is_A, bodies, part));
-      if (is_jointed_[at(body)] != 0) part = std::min(part, part_of_jointed(body, pair, bodies, part));
-    }
-  }
-  return part;
-}
-
-/// The way of a jointed body is an arc.
-double PassingGuard::part_of_jointed(int body, const ShapePair& pair, const BulkBodies& bodies,
-                                     double h) const {
-  const double spin = norm_of(bodies.motion[at(body)].w);
-  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
-  return turning_[at(body)] * spin * h <= near_share * thinner ? h : most_turn / spin;
-}
-
-/// Until a driven body of the pair may reach the other; and where it is near, as long as neither leaves the
-/// contacts that were found.
-double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies,
-                                    double h) const {
-  const int driver = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
-  const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B),
-               th_other = is_A ? th_B : th_A;
-  const MotionRecord &m = bodies.motion[at(driver)], &of_other = bodies.motion[at(other)];
-  const Vec3 v = vector_of(m.v) - vector_of(of_other.v), w = vector_of(m.w);
-  const double spin = w.norm(), turning = turning_[at(other)],
-               own_spin = turning > 0 ? norm_of(of_other.w) : 0;
-
-  // A driven body that goes little is left to contacts, as one at rest is.
-  const double thin = thinner(pair);
-  if (!((norm_of(m.v) + turning_[at(driver)] * spin) * h > near_share * thin)) return h;
-  const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
-
-  // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
-  // that turn by θ about an arm leave their places by arm θ²/2.
-  const double arm = model_->body(other).bounding_radius;
-  const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
-  double near = kInfinity;
-  if (std::isfinite(th_other))
-    near = near_share * th_other / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
-  if (std::isfinite(arm) && arm > 0) {
-    const double turn = std::sqrt(2 * touching_share * thin / arm);
-    near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
-  }
-  if (near >= h) return h;
-
-  // Before that nothing meets; but paths that curve are known for small turns only.
-  const double gap = distance_of(pair, bodies);
-  return std::clamp(std::min(gap / speed, most_turn / spin), near, h);
-}
-
-/// Signed distance of the shapes of a pair [m], or less: what two meshes that are not convex have between
-/// them takes longer to find than a part of a step.
-double PassingGuard::distance_of(const ShapePair& pair, const BulkBodies& bodies) const {
-  const BodyShape &A = model_->body(pair.body_A).shapes[at(pair.shape_A)],
-                  &B = model_->body(pair.body_B).shapes[at(pair.shape_B)];
-  if (is_surface(A.shape) && is_surface(B.shape)) return 0;
-  const auto pose_of = [&](int body, const BodyShape& shape) {
-    return Pose{bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]} *
-           shape.X_BS;
-  };
-  return signed_distance(A.shape, pose_of(pair.body_A, A), B.shape, pose_of(pair.body_B, B)).distance;
-}
-
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
+  if (has_jointed_) ways_.begin(bodies.x.size(), substeps_);
   expected_.resize(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
@@ -270,6 +182,11 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
     reach_[at(i)] = reach(i, m.dp, m.dr);
+    if (ways_.has(i) && bends(i, bodies)) {
+      const std::array<double, 2> lengths = ways_.lengths(i);
+      const double way = lengths[0] + turning_[at(i)] * lengths[1];
+      reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(way));
+    }
     most = std::max(most, reach_[at(i)]);
   }
   if (2 * static_cast<double>(most) <= least) return;
@@ -311,7 +228,9 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   swept_.clear();
   for (int i = 0; i < bodies.count(); ++i) {
     const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
-    swept_.push_back(Aabb{x.cwiseMin(y), x.cwiseMax(y)}.grown(model_->body(i).bounding_radius));
+    Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
+    if (bends(i, bodies)) box = {x + ways_.box(i).lower, x + ways_.box(i).upper};
+    swept_.push_back(box.grown(model_->body(i).bounding_radius));
   }
   if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
   std::vector<BoxItem> items;
@@ -333,6 +252,54 @@ void PassingGuard::add_escaped(int body, const BulkBodies& bodies) {
   }
 }
 
+/// Whether the body has gone on an arc that is not near to its chord.
+bool PassingGuard::bends(int body, const BulkBodies& bodies) const {
+  return ways_.has(body) && norm_of(bodies.motion[at(body)].dr) > most_turn;
+}
+
+/// Where the body is after the part t of what it may go of its way.
+WayPoint PassingGuard::point_at(int body, double t, const BulkBodies& bodies) const {
+  const MotionRecord& m = bodies.motion[at(body)];
+  const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+  if (bends(body, bodies)) return ways_.point(body, share * t);
+  return {share * t * vector_of(m.dp), rotation_exp(share * t * vector_of(m.dr))};
+}
+
+/// A leg of its way.
+WayOfShape PassingGuard::way_between(int body, int shape, double from, double to,
+                                     const BulkBodies& bodies) const {
+  const WayPoint a = point_at(body, from, bodies), b = point_at(body, to, bodies);
+  return {&model_->body(body).shapes[at(shape)],
+          {(a.turn * bodies.q[at(body)]).toRotationMatrix(), bodies.x[at(body)] + a.dp},
+          b.dp - a.dp,
+          rotation_log(b.turn * a.turn.conjugate()),
+          turning_[at(body)],
+          thickness(body, shape)};
+}
+
+/// From leg to leg of either way.
+double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
+                                        const BulkBodies& bodies) const {
+  std::vector<double> times = {0, 1};
+  for (const int body : {pair.body_A, pair.body_B}) {
+    if (!bends(body, bodies)) continue;
+    for (int k = 1; k < substeps_; ++k) times.push_back(k / (substeps_ * shares_[at(group_[at(body)])]));
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<WayLeg> legs;
+  for (std::size_t k = 0; times[k] < 1; ++k) {
+    legs.push_back({way_between(pair.body_A, pair.shape_A, times[k], times[k + 1], bodies),
+                    way_between(pair.body_B, pair.shape_B, times[k], times[k + 1], bodies)});
+    // Relative to the first body, as far from the origin as near it.
+    legs.back().A.X_WB.p -= bodies.x[at(pair.body_A)];
+    legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
+  }
+  const double gone = free_legs(legs, deep_share);
+  const std::size_t last = std::min(static_cast<std::size_t>(gone), legs.size() - 1);
+  return times[last] + (gone - static_cast<double>(last)) * (times[last + 1] - times[last]);
+}
+
 double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
   const auto shape_of = [&](int body, int shape) {
     const MotionRecord& m = bodies.motion[at(body)];
@@ -348,8 +315,9 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
   constexpr double deep_share = 0.25, deep_share_of_taken = 0.15;
   const bool is_taken =
       is_taken_along(pair.body_A, pair.body_B, bodies) || is_taken_along(pair.body_B, pair.body_A, bodies);
-  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B),
-                  is_taken ? deep_share_of_taken : deep_share);
+  const double most = is_taken ? deep_share_of_taken : deep_share;
+  if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, most, bodies);
+  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), most);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
@@ -434,9 +402,13 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
     const double share = shares_[at(group_[at(i)])];
     if (!bodies.is_dynamic(i) || share == 1) continue;
     MotionRecord& motion = bodies.motion[at(i)];
+    // Joints hold on the ways that the substeps have taken, and not on their chords.
+    const WayPoint end =
+        ways_.has(i) ? ways_.point(i, share) : WayPoint{share * vector_of(motion.dp), Quat::Identity()};
+    const Vec3 turn = ways_.has(i) ? rotation_log(end.turn) : Vec3(share * vector_of(motion.dr));
     for (int k = 0; k < 3; ++k) {
-      motion.dp[k] *= static_cast<float>(share);
-      motion.dr[k] *= static_cast<float>(share);
+      motion.dp[k] = static_cast<float>(end.dp[k]);
+      motion.dr[k] = static_cast<float>(turn[k]);
     }
     stopped_.push_back({i, share});
   }

@@ -2,6 +2,8 @@
 
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/passing/jointed_ways.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/bulk/state/changed_bodies.hpp"
@@ -25,7 +27,7 @@ namespace rigor {
 /// nothing stops, that takes it along.
 class PassingGuard {
  public:
-  explicit PassingGuard(const Model& model);
+  PassingGuard(const Model& model, int substeps);
 
   /// After bodies, joints or excluded pairs of the Model have changed. All shapes that it has seen must be
   /// alive still.
@@ -43,6 +45,14 @@ class PassingGuard {
   bool has_driven() const { return driven_ > 0; }
   /// At the beginning of a step of h [s]: how far bodies go at their present velocities.
   void begin(const BulkBodies& bodies, double h);
+  /// Then marks the jointed bodies whose ways within h bend near others: they are to be noted.
+  void mark_bent(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h,
+                 std::vector<char>& marks) const;
+  /// After the displacements of each substep, `moving` being the bodies that it has displaced: jointed ones
+  /// go on arcs.
+  void note(const BulkBodies& bodies, const std::vector<int>& moving) {
+    if (has_jointed_) ways_.note(bodies, moving, is_jointed_);
+  }
 
   /// A body that was stopped after this share of its displacement.
   struct Stopped {
@@ -72,7 +82,7 @@ class PassingGuard {
   void add_body(int body, std::optional<FloatHulls>& hulls);
   const ShapeFacts& facts_of(const BodyShape& shape, std::optional<FloatHulls>& hulls);
   const ShapeFacts& facts(int body, int shape) const { return facts_[at(ranges_.begin(body) + shape)]; }
-  double part_of_jointed(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const;
+  double spin_near(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const;
   double part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies, double h) const;
   double distance_of(const ShapePair& pair, const BulkBodies& bodies) const;
   double thickness(int body, int shape) const { return facts(body, shape).thickness; }
@@ -83,12 +93,17 @@ class PassingGuard {
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
+  bool bends(int body, const BulkBodies& bodies) const;
+  WayPoint point_at(int body, double t, const BulkBodies& bodies) const;
+  WayOfShape way_between(int body, int shape, double from, double to, const BulkBodies& bodies) const;
   double free_share(const FarPair& pair, const BulkBodies& bodies) const;
+  double free_share_of_bent(const FarPair& pair, double deep_share, const BulkBodies& bodies) const;
   bool shorten(const FarPair& pair, BulkBodies& bodies);
   bool is_taken_along(int body, int driver, const BulkBodies& bodies) const;
   void take_along(int body, int driver, double share, BulkBodies& bodies);
 
   const Model* model_;
+  int substeps_;  ///< Of each step.
   PairFilter filter_;
   std::function<bool(int, int)> may_touch_;
   ShapeRanges ranges_;
@@ -102,7 +117,9 @@ class PassingGuard {
   /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.
   double least_thickness_ = std::numeric_limits<double>::infinity();
   double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].
-  int surfaces_ = 0;             ///< How many shapes have been surfaces.
+  int surfaces_ = 0;  ///< How many shapes have been surfaces.
+  bool has_jointed_ = false;
+  JointedWays ways_;
   bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].

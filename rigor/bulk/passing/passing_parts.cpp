@@ -1,0 +1,107 @@
+// In which parts a step is taken, and whose ways are noted.
+
+#include "rigor/bulk/passing/passing_guard.hpp"
+
+#include "rigor/bulk/passing/passing_limits.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+/// Points of contact may leave their places by this part of the thinner one's thickness.
+constexpr double touching_share = 0.02;
+/// Most that a jointed body turns within a substep [rad]: its way is known at the end of each.
+constexpr double most_turn_a_substep = 0.16;
+
+}  // namespace
+
+double PassingGuard::longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                  double h) const {
+  if (!may_need_parts_) return h;
+  double part = h;
+  for (const ShapePair& pair : pairs) {
+    for (const bool is_A : {true, false}) {
+      const int body = is_A ? pair.body_A : pair.body_B;
+      const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
+      if (is_driven) part = std::min(part, part_of_driven(pair, is_A, bodies, part));
+      // The way of a jointed body is an arc.
+      if (is_jointed_[at(body)] != 0)
+        part = std::min(part, substeps_ * most_turn_a_substep / spin_near(body, pair, bodies, part));
+    }
+  }
+  return part;
+}
+
+/// How fast a jointed body turns [rad/s], if that takes its points far against the other of the pair within
+/// h; else 0.
+double PassingGuard::spin_near(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const {
+  const double spin = norm_of(bodies.motion[at(body)].w);
+  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+  return turning_[at(body)] * spin * h <= near_share * thinner ? 0 : spin;
+}
+
+void PassingGuard::mark_bent(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h,
+                             std::vector<char>& marks) const {
+  if (!has_jointed_) return;
+  for (const ShapePair& pair : pairs) {
+    for (const int body : {pair.body_A, pair.body_B}) {
+      if (is_jointed_[at(body)] != 0 && spin_near(body, pair, bodies, h) * h > most_turn) marks[at(body)] = 1;
+    }
+  }
+}
+
+/// Until a driven body of the pair may reach the other; and where it is near, as long as neither leaves the
+/// contacts that were found.
+double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies,
+                                    double h) const {
+  const int driver = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
+  const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B),
+               th_other = is_A ? th_B : th_A;
+  const MotionRecord &m = bodies.motion[at(driver)], &of_other = bodies.motion[at(other)];
+  const Vec3 v = vector_of(m.v) - vector_of(of_other.v), w = vector_of(m.w);
+  const double spin = w.norm(), turning = turning_[at(other)],
+               own_spin = turning > 0 ? norm_of(of_other.w) : 0;
+
+  // A driven body that goes little is left to contacts, as one at rest is.
+  const double thin = thinner(pair);
+  if (!((norm_of(m.v) + turning_[at(driver)] * spin) * h > near_share * thin)) return h;
+  const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
+
+  // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
+  // that turn by θ about an arm leave their places by arm θ²/2.
+  const double arm = model_->body(other).bounding_radius;
+  const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
+  double near = kInfinity;
+  if (std::isfinite(th_other))
+    near = near_share * th_other / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
+  if (std::isfinite(arm) && arm > 0) {
+    const double turn = std::sqrt(2 * touching_share * thin / arm);
+    near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
+  }
+  if (near >= h) return h;
+
+  // Before that nothing meets; but paths that curve are known for small turns only.
+  const double gap = distance_of(pair, bodies);
+  return std::clamp(std::min(gap / speed, most_turn / spin), near, h);
+}
+
+/// Signed distance of the shapes of a pair [m], or less: what two meshes that are not convex have between
+/// them takes longer to find than a part of a step.
+double PassingGuard::distance_of(const ShapePair& pair, const BulkBodies& bodies) const {
+  const BodyShape &A = model_->body(pair.body_A).shapes[at(pair.shape_A)],
+                  &B = model_->body(pair.body_B).shapes[at(pair.shape_B)];
+  if (is_surface(A.shape) && is_surface(B.shape)) return 0;
+  const auto pose_of = [&](int body, const BodyShape& shape) {
+    return Pose{bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]} *
+           shape.X_BS;
+  };
+  return signed_distance(A.shape, pose_of(pair.body_A, A), B.shape, pose_of(pair.body_B, B)).distance;
+}
+
+}  // namespace rigor
