@@ -131,4 +131,15 @@ TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodi
   return {taken, balance.is_free ? 0 : -less * power};
 }
 
+void give_momenta(const Model& model, const std::vector<int>& bodies, const Vec3& P, const Vec3& L,
+                  std::vector<BodyPhase>& phases) {
+  const std::vector<BodyPhase> now = phases;
+  const Group group{model, bodies, now};
+  const RigidVelocity motion = group.rigid_motion(P, L - group.centre().cross(P));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    phases[i].P += group.momentum(i, motion);
+    phases[i].L += group.spin(i, motion);
+  }
+}
+
 }  // namespace rigor

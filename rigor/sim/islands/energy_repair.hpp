@@ -44,4 +44,9 @@ struct TakenEnergy {
 TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount,
                                 const EnergyBalance& balance, std::vector<BodyPhase>& phases);
 
+/// Gives bodies a momentum P [kg m/s] and an angular momentum L about the origin of W [kg m²/s], by the
+/// motion as one rigid body that has them.
+void give_momenta(const Model& model, const std::vector<int>& bodies, const Vec3& P, const Vec3& L,
+                  std::vector<BodyPhase>& phases);
+
 }  // namespace rigor
