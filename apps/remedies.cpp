@@ -58,6 +58,8 @@ std::vector<Remedy> after_stop(const Audit& audit) {
     case StopReason::impact_unsolved:
       if (method.scheme == Scheme::impulse_based) return {time_stepping(), event_driven()};
       return {time_stepping()};
+    case StopReason::unresolved:
+      return {shorter_step(audit, 100)};
     case StopReason::broken_promise:  // The motion was one that the promise had not foreseen: a shorter step
                                       // may.
     case StopReason::not_finite:

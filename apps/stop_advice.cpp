@@ -20,6 +20,8 @@ std::string_view stop_reason_name(StopReason reason) {
       return "impact_unsolved";
     case StopReason::not_finite:
       return "not_finite";
+    case StopReason::unresolved:
+      return "unresolved";
     case StopReason::interrupted:
       return "interrupted";
     case StopReason::broken_promise:
@@ -43,6 +45,10 @@ std::string_view stop_advice(StopReason reason) {
     case StopReason::not_finite:
       return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "
              "method.integrator=dopri5 helps with stiff ones";
+    case StopReason::unresolved:
+      return "lower the stiffness, damping, force, torque or speed of a motor that acts on these bodies, "
+             "make light ones "
+             "heavier, or set a run.step as short as the motion asks for";
     case StopReason::interrupted:
       return "run it again, or continue from the checkpoint with --resume";
     case StopReason::broken_promise:

@@ -63,6 +63,9 @@ if [ "$scope" = all ]; then
   echo "== random bodies against thin plates and blades: 10,000 for each scheme"
   nice -n 19 tools/passing_study.py --program build/release/rigor --jobs "$jobs" --bodies 10000 --cpu-limit 60
 
+  echo "== stiff scenes: every run ends; audits that fail are told (docs/reliability.md)"
+  nice -n 19 tools/stiff_study.py --program build/release/rigor --jobs "$jobs" --scenes 30 --cpu-limit 60 || true
+
   echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"
   tools/study_meshes.sh 2000
 

@@ -94,9 +94,11 @@ void Environment::add_forces(PointSprings springs) {
         acting.steady = steady_acceleration(constant->body) + constant->f / body.mass;
       } else {
         acting.forces.push_back(*constant);
+        acting.is_tied_down = true;
       }
     } else if (const ConstantTorque* torque = std::get_if<ConstantTorque>(&force)) {
       acting_on(torque->body).torques.push_back(*torque);
+      acting_on(torque->body).is_tied_down = true;
     } else if (const Spring* spring = std::get_if<Spring>(&force)) {
       if (springs == PointSprings::act) add_spring(*spring);
     } else if (const Drag* drag = std::get_if<Drag>(&force)) {
@@ -114,8 +116,13 @@ void Environment::add_spring(const Spring& spring) {
     Acting& acting = acting_on(body);
     if (acting.springs.empty() || acting.springs.back() != number) acting.springs.push_back(number);
     const int other = body == spring.body_A ? spring.body_B : spring.body_A;
+    if (other == world_body) acting.is_tied_down = true;
     if (other == world_body || other == body) continue;
-    if (model_->body(other).motion == MotionType::dynamic) acting.spring_partners.push_back(other);
+    if (model_->body(other).motion == MotionType::dynamic) {
+      acting.spring_partners.push_back(other);
+    } else {
+      acting.is_tied_down = true;
+    }
   }
 }
 
@@ -197,6 +204,20 @@ double Environment::supplied_power(int body, const BodyView& view) const {
 
 double Environment::potential(int body, const Vec3& x) const {
   return -model_->body(body).mass * steady_acceleration(body).dot(x);
+}
+
+std::vector<int> Environment::springs_of(std::span<const int> bodies) const {
+  std::vector<int> found;
+  for (const int body : bodies)
+    found.insert(found.end(), acts_on(body).springs.begin(), acts_on(body).springs.end());
+  return sorted_unique(std::move(found));
+}
+
+std::vector<int> Environment::joint_springs_of(std::span<const int> bodies) const {
+  std::vector<int> found;
+  for (const int body : bodies)
+    found.insert(found.end(), acts_on(body).joint_springs.begin(), acts_on(body).joint_springs.end());
+  return sorted_unique(std::move(found));
 }
 
 double Environment::stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B) {

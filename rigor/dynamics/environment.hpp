@@ -97,8 +97,32 @@ class Environment {
     }
     return energy;
   }
+  /// The same in the springs that act on these bodies; view for them and all that springs and joints couple
+  /// to them.
+  template <class View>
+  double spring_energy_of(std::span<const int> bodies, const View& view) const {
+    double energy = 0;
+    for (const int index : springs_of(bodies)) {
+      const Spring& spring = springs_[at(index)];
+      energy += stored_energy(spring, end_of(spring, true, view), end_of(spring, false, view));
+    }
+    for (const int index : joint_springs_of(bodies)) {
+      const Joint& joint = model_->joint(index);
+      energy += rigor::stored_energy(joint, motion_of(joint.body_A, view), motion_of(joint.body_B, view));
+    }
+    return energy;
+  }
+  /// Whether a spring ties it to the world or to a prescribed body, or constant forces or torques without a
+  /// closed form act on it.
+  bool is_tied_down(int body) const { return acts_on(body).is_tied_down; }
+  /// Whether nothing acts on a dynamic body but its own forces, drag among them.
+  bool is_only_dragged(int body) const {
+    return has_drag(body) && !is_jointed(body) && acts_on(body).springs.empty();
+  }
 
  private:
+  std::vector<int> springs_of(std::span<const int> bodies) const;
+  std::vector<int> joint_springs_of(std::span<const int> bodies) const;
   struct SpringEnd {
     Vec3 p_W, v_W;
   };
@@ -122,7 +146,8 @@ class Environment {
   /// Everything except gravity that acts on a body.
   struct Acting {
     std::optional<Vec3> steady;  ///< Acceleration, with gravity, where constant forces add to it [m/s²].
-    bool is_forced = false, is_jointed = false, has_joint_stiffness = false, leaves_own_forces = false;
+    bool is_forced = false, is_jointed = false, has_joint_stiffness = false, is_tied_down = false;
+    bool leaves_own_forces = false;
     double stiff_rate = 0;
     double linear_drag = 0, angular_drag = 0;          ///< The first includes the damping of the momentum.
     std::vector<int> springs, joint_springs;           ///< Springs attached to it; joints with springs.

@@ -50,13 +50,21 @@ Linearisation linearised(const SystemOde& ode, const OdeFunction& f, double t, d
                          const IntegratorTolerances& tolerances) {
   constexpr double share = 1e-8;  // Half the digits.
   const VecX y = ode.start_vector(), f_0 = f(t, y);
-  const double scales[4] = {tolerances.length_scale, tolerances.momentum_scale,
-                            tolerances.angular_momentum_scale, 1};
+  // The scales of the momenta are those of the heaviest body: a light one moves as fast with less.
+  double heaviest = 0, largest = 0;
+  for (int i = 0; i < ode.body_count(); ++i) {
+    if (ode.is_ledger(i)) continue;
+    heaviest = std::max(heaviest, ode.inertia(i).mass);
+    largest = std::max(largest, ode.inertia(i).moments.maxCoeff());
+  }
   Linearisation slopes{MatX::Zero(y.size(), y.size()), (f(t + share * h, y) - f_0) / (share * h)};
   for (int i = 0; i < ode.body_count(); ++i) {
     // What only keeps the ledger moves nothing.
     if (ode.is_ledger(i)) continue;
     const int first = ode.offset(i);
+    const double scales[4] = {
+        tolerances.length_scale, ode.inertia(i).mass / heaviest * tolerances.momentum_scale,
+        ode.inertia(i).moments.maxCoeff() / largest * tolerances.angular_momentum_scale, 1};
     for (int k = 0; k < 9 + ode.attitude_size(); ++k) {
       VecX moved = y;
       moved[first + k] += share * (scales[std::min(k / 3, 3)] + std::abs(y[first + k]));

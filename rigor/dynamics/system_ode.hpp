@@ -37,6 +37,7 @@ class SystemOde {
   int body_count() const { return static_cast<int>(start_.size()); }
   int attitude_size() const;
   /// Whether a body has no finite mass: it keeps a ledger and moves nothing.
+  const BodyInertia& inertia(int i) const { return inertias_[at(i)]; }
   bool is_ledger(int i) const { return std::isinf(inertias_[at(i)].mass); }
   int body_size() const { return 9 + attitude_size(); }
   /// First number of a body: x at +0, P at +3, L at +6, attitude at +9.

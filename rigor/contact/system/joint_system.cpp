@@ -88,13 +88,16 @@ void JointSystem::update(const Model& model, const std::vector<int>& bodies,
     find_ends(model);
   }
   const bool has_moved = take_motions(kinetics);
-  if (solver_ && !is_another_list && !has_moved && rules.motor_horizon == motor_horizon_) {
+  const bool has_other_rules =
+      rules.motor_horizon != motor_horizon_ || rules.without_motors != without_motors_;
+  if (solver_ && !is_another_list && !has_moved && !has_other_rules) {
     solver_->factor(masses_, rows_, rules.choice);
     return;
   }
 
   // The rows of each joint; which bodies they tie and which blocks of G M⁻¹ Gᵀ that makes stays.
   motor_horizon_ = rules.motor_horizon;
+  without_motors_ = rules.without_motors;
   for (std::size_t i = 0; i < items_.size(); ++i) make_rows(model, joints_[i], items_[i]);
   if (is_another_list) find_nodes(kinetics);
   if (!solver_) make_solver();
@@ -208,11 +211,12 @@ void JointSystem::make_rows(const Model& model, int index, Item& item) const {
     const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
     const int row = item.rows.size++;
     for (Mat6& J : item.rows.J) J.row(row).setZero();
+    item.rows.g[row] = item.rows.bias[row] = item.rate[row] = 0;
+    if (without_motors_) continue;
     if (joint.body_A != world_body)
       item.rows.J[side_of(item.rows, joint.body_A)].row(row) = coordinate.J_A.transpose();
     if (joint.body_B != world_body)
       item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
-    item.rows.g[row] = 0;
     item.rows.bias[row] = coordinate.bias;
     item.rate[row] = motor_rate(axis, coordinate.value, model.length_scale(), motor_horizon_);
   }

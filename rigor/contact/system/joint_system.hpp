@@ -31,6 +31,7 @@ class JointSystem {
     /// Motors without a limit of force run no faster than to be at the limit of their coordinate after this
     /// time [s], and stand there: the limit is as strong as they are.
     double motor_horizon = 0;
+    bool without_motors = false;  ///< Those motors hold nothing: their rows are empty.
   };
 
   /// `joints` by model index; `bodies` must hold all their bodies but the world.
@@ -121,6 +122,7 @@ class JointSystem {
 
   std::vector<int> joints_, bodies_;
   double motor_horizon_ = 0;
+  bool without_motors_ = false;
   std::vector<Item> items_;
   std::vector<int> node_of_;  ///< Of each body of the list; -1: not held or prescribed.
   std::vector<std::size_t> bodies_of_nodes_;

@@ -136,12 +136,13 @@ void Auditor::observe_scales(const State& state, const AdvanceReport& report) {
     return promises_of_scheme(each.scheme).acts_in_steps;
   });
   const double span = promises_.acts_in_steps || has_steps ? state.t - time_ : 0;
-  double momentum = 0, angular_momentum = 0, of_rotation = 0;
+  double momentum = 0, angular_momentum = 0, of_rotation = 0, lightest = kInfinity;
   for (int i = 0; i < model_->body_count(); ++i) {
     momentum += state.linear_momentum(i).norm();
     angular_momentum +=
         state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
     const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) lightest = std::min(lightest, body.mass);
     if (body.motion == MotionType::dynamic && span > 0) {
       const double speed = span * environment_->steady_acceleration(i).norm();
       momentum += body.mass * speed;
@@ -150,6 +151,10 @@ void Auditor::observe_scales(const State& state, const AdvanceReport& report) {
     }
     of_rotation += momentum_of_rotation(*model_, state, i);
   }
+  // What springs have set free moved at least the lightest body, however soon it came to rest.
+  const double set_free = initial_.elastic + given_.elastic - energy_.elastic;
+  if (set_free > 0 && std::isfinite(lightest))
+    momentum = std::max(momentum, std::sqrt(2 * lightest * set_free));
   // Motion that begins and ends between two outputs shows in its impacts only.
   for (const MotionEvent& event : report.events) {
     momentum = std::max(momentum, event.j_W.norm());

@@ -100,8 +100,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
     step = running.step;
   } else if (has_moved) {
     const double h = t_ - running.island.begin;
-    step = running.step.is_implicit ? integrator_.implicit_step(running.island, h)
-                                    : integrator_.step(running.island, h, running.step.is_stiff);
+    step = integrator_.repeated(running.island, h, running.step);
   } else {
     step.end = running.island.start;
   }

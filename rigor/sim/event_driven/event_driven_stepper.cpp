@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/toi_choice.hpp"
 
@@ -64,6 +65,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
     } else if (next_.kind == QueuedEvent::Kind::search) {
+      note_search(next_);
       trajectories_.continue_search(next_, queue_);
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {
       handle_event(seeds, {});
@@ -84,6 +86,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   std::vector<int> restored;
   stepping_.restart();
   repeats_.assign(at(model_->body_count()), 0);
+  searches_.assign(at(model_->body_count()), {});
   last_event_.assign(at(model_->body_count()), -std::numeric_limits<double>::infinity());
   if (!is_continued) {
     queue_.clear();
@@ -167,6 +170,19 @@ std::vector<int> EventDrivenStepper::seeds_of(const QueuedEvent& event) const {
     if (body >= 0) seeds.push_back(body);
   }
   return seeds;
+}
+
+/// A search that is broken off again and again within no time follows a motion that nothing can follow.
+void EventDrivenStepper::note_search(const QueuedEvent& event) {
+  constexpr int most_searches = 10;
+  constexpr double share_of_step = 1e-2;
+  Searches& searches = searches_[at(event.a)];
+  if (event.time - searches.begin > share_of_step * target_step_) searches = {event.time, 0};
+  if (++searches.count <= most_searches) return;
+  const int body = is_dynamic(event.a) ? event.a : event.b;
+  if (!is_dynamic(body)) return;
+  throw too_fast(*model_, environment_, {body}, {trajectories_.motion(body).phase(event.time)},
+                 share_of_step / most_searches * target_step_);
 }
 
 /// One event: the bodies concerned are brought to now, collide, come to rest or part, and set out anew.

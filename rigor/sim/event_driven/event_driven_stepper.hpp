@@ -97,6 +97,7 @@ class EventDrivenStepper : public Stepper {
   bool time_stands_still(const std::vector<int>& seeds);
   void note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster);
   void note_penetration(const std::vector<Contact>& contacts);
+  void note_search(const QueuedEvent& event);
   void note_forces(const LastingContacts& lasting);
   BodyInertia inertia(int body) const { return {model_->body(body).mass, model_->body(body).moments}; }
   bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
@@ -125,6 +126,12 @@ class EventDrivenStepper : public Stepper {
   std::vector<int> joined_;         ///< Bodies of the cluster whose contacts are still to be found.
   std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
   std::vector<double> last_event_;  ///< Of each body [s].
+  /// Searches for the contacts of a body that were broken off since `begin` [s].
+  struct Searches {
+    double begin = -1;
+    int count = 0;
+  };
+  std::vector<Searches> searches_;
   LastForces forces_;
   State mirror_;  ///< The State as it was left.
   AdvanceReport report_;

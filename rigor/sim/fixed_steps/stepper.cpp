@@ -3,6 +3,7 @@
 #include "rigor/core/broken_promise.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
+#include "rigor/sim/report/unresolved.hpp"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,11 @@ AdvanceReport Stepper::guarded(State& state, const std::function<AdvanceReport()
   } catch (const BrokenPromise& broken) {
     report =
         stop(StopReason::broken_promise, fmt::format("{}, at t = {:.17g} s", broken.what(), time_reached()));
+    state = before;
+  } catch (const Unresolved& unresolved) {
+    report =
+        stop(StopReason::unresolved, fmt::format("{}, at t = {:.9g} s", unresolved.what(), time_reached()));
+    report.bodies = unresolved.bodies();
     state = before;
   }
   // Overflow that the scheme did not notice itself.

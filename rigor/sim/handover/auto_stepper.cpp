@@ -24,7 +24,7 @@ bool is_out_of_its_depth(StopReason reason) {
 /// Whether a stop leaves no State to go on from.
 bool leaves_nothing(StopReason reason) {
   return reason == StopReason::not_finite || reason == StopReason::broken_promise ||
-         reason == StopReason::interrupted;
+         reason == StopReason::unresolved || reason == StopReason::interrupted;
 }
 
 /// The end of the next few of the equal steps to t_end.

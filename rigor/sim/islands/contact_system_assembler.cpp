@@ -43,6 +43,16 @@ ContactSystem ContactSystemAssembler::assemble(double t, const std::vector<int>&
                              std::move(joints));
 }
 
+ContactSystem ContactSystemAssembler::assemble_joints(double t, const std::vector<int>& bodies,
+                                                      std::span<const BodyPhase> phases,
+                                                      bool with_motors) const {
+  Group& group = group_of(bodies);
+  Bodies all = bodies_at(t, group, phases, {});
+  std::shared_ptr<const JointSystem> joints =
+      equations_of(group, all, {.motor_horizon = motor_horizon_, .without_motors = !with_motors});
+  return make_contact_system(model_, {}, std::move(all.indices), std::move(all.kinetics), std::move(joints));
+}
+
 ContactSystem ContactSystemAssembler::assemble(const Island& island, double t,
                                                std::span<const BodyPhase> phases) const {
   // Which bodies take part, how they move, and where their contacts have gone with them.

@@ -34,6 +34,10 @@ class ContactSystemAssembler {
   ContactSystem assemble(const Cluster& cluster, std::vector<Contact> contacts) const {
     return assemble(cluster.t, cluster.bodies, cluster.phases, std::move(contacts));
   }
+  /// Only the joints of the bodies, with their motors or without: those without a limit of force give way
+  /// then.
+  ContactSystem assemble_joints(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
+                                bool with_motors) const;
   /// An island at time t [s], its contacts tracked from where it began to these phases.
   ContactSystem assemble(const Island& island, double t, std::span<const BodyPhase> phases) const;
 

@@ -166,4 +166,15 @@ bool pay_for_correction(const Model& model, const Environment& environment, cons
   return true;
 }
 
+void give_momenta(const Model& model, const std::vector<int>& bodies, const Vec3& P, const Vec3& L,
+                  std::vector<BodyPhase>& phases) {
+  const std::vector<BodyPhase> now = phases;
+  const Group group{model, bodies, now};
+  const RigidVelocity motion = group.rigid_motion(P, L - group.centre().cross(P));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    phases[i].P += group.momentum(i, motion);
+    phases[i].L += group.spin(i, motion);
+  }
+}
+
 }  // namespace rigor

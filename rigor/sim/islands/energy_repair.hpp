@@ -52,4 +52,9 @@ TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodi
 bool pay_for_correction(const Model& model, const Environment& environment, const Island& island,
                         const std::vector<BodyPhase>& uncorrected, IslandStep& step);
 
+/// Gives bodies a momentum P [kg m/s] and an angular momentum L about the origin of W [kg m²/s], by the
+/// motion as one rigid body that has them.
+void give_momenta(const Model& model, const std::vector<int>& bodies, const Vec3& P, const Vec3& L,
+                  std::vector<BodyPhase>& phases);
+
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
+#include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
@@ -59,6 +60,8 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       tolerance_(method.tolerance),
       direction_tolerance_(direction_tolerance(method)),
       resting_velocity_(method.resting_velocity),
+      moves_prescribed_(std::any_of(model.bodies().begin(), model.bodies().end(),
+                                    [](const Body& body) { return body.motion == MotionType::kinematic; })),
       resting_(resting_choice(method)) {}
 
 void IslandIntegrator::choose_joint_rows(Island& island) const {
@@ -190,19 +193,9 @@ IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff)
   return result;
 }
 
-ControlledStep IslandIntegrator::stiff_step(const Island& island, double h, double least) const {
-  StepController controller(integrator_order(IntegratorName::rodas));
-  while (true) {
-    IslandStep taken = step(island, h, true);
-    const StepDecision decision = controller.decide(h, taken.error);
-    if (decision.is_accepted || h <= least) return {std::move(taken), std::max(least, decision.h_next)};
-    h = std::max(least, decision.h_next);
-  }
-}
-
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
                                                  const StepBounds& bounds) const {
-  constexpr double useful_share = 1e-4, damped_share = 1.0 / 64;
+  constexpr double useful_share = useless_share, damped_share = 1.0 / 64, share_of_longest = 0.2;
   const double useful = useful_share * bounds.whole, damped = damped_share * bounds.whole;
   // Contacts ask for short steps, too, where their modes change; only forces so fast that they explain it are
   // stiff.
@@ -215,13 +208,14 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
     IslandStep taken = step(island, h);
     // A step that overflows is too long, whatever estimate of its error there is.
     const bool is_finite = taken.is_finite();
-    if (is_finite && std::isnan(taken.error))
-      return {std::move(taken), std::numeric_limits<double>::infinity()};
+    if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
     const StepDecision decision =
         controller.decide(h, is_finite ? taken.error : std::numeric_limits<double>::infinity());
+    if (!is_finite && h <= bounds.least && island.contacts.empty())
+      throw too_fast(model_, environment_, island.bodies, island.start, h);
     if (decision.is_accepted || h <= bounds.least) return {std::move(taken), decision.h_next};
-    if (may_be_stiff && decision.h_next < useful && bounds.longest > useful)
-      return stiff_step(island, bounds.longest, std::min(bounds.longest, damped));
+    if (may_be_stiff && decision.h_next < std::min(useful, share_of_longest * bounds.longest))
+      return stiff_step(island, std::min(bounds.longest, damped), bounds);
     h = std::max(bounds.least, decision.h_next);
   }
 }

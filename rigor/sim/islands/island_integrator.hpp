@@ -28,6 +28,8 @@ class IslandIntegrator {
   void choose_joint_rows(Island& island) const;
   /// One step of exactly h with the contact modes held fixed; is_stiff: by the integrator for stiff forces.
   IslandStep step(const Island& island, double h, bool is_stiff = false) const;
+  /// The step that was taken, again with another end: of the same kind.
+  IslandStep repeated(const Island& island, double h, const IslandStep& taken) const;
   /// Of the size of a step: the shortest and the longest possible, and the target step that it is part of.
   struct StepBounds {
     double least, longest, whole;  ///< [s].
@@ -50,7 +52,21 @@ class IslandIntegrator {
   /// Puts the end of an implicit step on its contacts, without more energy than the step began with.
   void close_implicit_step(const Island& island, IslandStep& step) const;
   IntegratorName integrator_for(const Island& island) const;
-  ControlledStep stiff_step(const Island& island, double h, double least) const;
+  ControlledStep stiff_step(const Island& island, double damped, const StepBounds& bounds) const;
+  bool is_only_dragged(const Island& island) const;
+  IslandStep dragged_step(const Island& island, double h) const;
+  bool is_free(const Island& island) const;
+  double energy_of(const Island& island, double t, const std::vector<BodyPhase>& phases) const;
+  double spring_energy_of(const Island& island, double t, const std::vector<BodyPhase>& phases) const;
+  /// Energies of a step [J].
+  struct Gain {
+    double energy, scale, rounding;
+  };
+  Gain gain_of(const Island& island, const IslandStep& step) const;
+  bool gains(const Island& island, const IslandStep& step) const;
+  /// Closes the books of a stiff step that is coarser than its tolerance; false if it gained more energy than
+  /// can be taken from it.
+  bool close_stiff_step(const Island& island, IslandStep& step) const;
   IntegratorTolerances tolerances(const Island& island) const;
 
   const Model& model_;
@@ -61,6 +77,7 @@ class IslandIntegrator {
   double tolerance_;
   double direction_tolerance_;
   double resting_velocity_;
+  bool moves_prescribed_;  ///< Whether a prescribed body moves: its springs' work is not booked step by step.
   RestingChoice resting_;
 };
 

@@ -1,6 +1,7 @@
 #include "rigor/sim/islands/island_stepping.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
@@ -47,10 +48,12 @@ IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler&
       target_step_(target_step),
       hopeless_error_(1 / std::sqrt(method.tolerance)),
       crowding_(at(model.body_count())),
+      useless_(at(model.body_count())),
       step_size_(at(model.body_count()), infinite) {}
 
 void IslandStepping::restart() {
   std::fill(crowding_.begin(), crowding_.end(), 0);
+  std::fill(useless_.begin(), useless_.end(), 0);
   std::fill(step_size_.begin(), step_size_.end(), infinite);
 }
 
@@ -154,17 +157,30 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
     go_to_velocity_level(island.bodies);
     return take_implicit_step(h, resolved, running, report);
   }
+  note_pace(island, h, taken.step);
   running.step = std::move(taken.step);
 
   // It ends where the modes of its contacts no longer hold.
   running.change = mode_changes_.find(island, running.step);
   if (running.change)
-    running.step = integrator_.step(island, std::max(running.change->h, least), running.step.is_stiff);
+    running.step = integrator_.repeated(island, std::max(running.change->h, least), running.step);
   if (running.step.error > 1) ++report.coarse_steps;
 
   running.wanted = std::min(target_step_, h);
   // A change of modes changes the forces: what the error said is of the past.
   for (const int body : island.bodies) step_size_[at(body)] = running.change ? infinite : taken.h_next;
+}
+
+/// Counts steps that the error has made too short to be of use. They end the run when there are too many in a
+/// row.
+void IslandStepping::note_pace(const Island& island, double longest, const IslandStep& step) {
+  const bool is_useless = step.h < useless_share * target_step_ && step.h < longest;
+  for (const int body : island.bodies) {
+    long& count = useless_[at(body)];
+    count = is_useless ? count + 1 : 0;
+    if (count > most_useless_parts)
+      throw too_fast(model_, assembler_.environment(), island.bodies, island.start, step.h);
+  }
 }
 
 void IslandStepping::note_end(const RunningIsland& running, double elapsed) {

@@ -4,10 +4,15 @@
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/report/ledger.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace rigor {
@@ -15,24 +20,58 @@ namespace rigor {
 void JointProjection::project_positions(double t, const std::vector<int>& bodies,
                                         std::vector<BodyPhase>& phases, AdvanceReport& report) const {
   if (assembler_.joints_of(bodies).empty()) return;
+  const std::vector<BodyPhase> start = phases;
+  Closed closed = close_joints(t, bodies, true, phases);
+  report.max_joint_projection = std::max(report.max_joint_projection, closed.first_residual);
+  // Where a motor without a limit of force has driven a loop to where it cannot go on, one of them has to
+  // give way.
+  // Where two ways to close it meet, Newton's method gains a factor of four only in each iteration.
+  constexpr double share = 0.1;
+  const double drift = projected_joint_drift(model_.length_scale());
+  if (closed.residual > drift && closed.has_motors) {
+    std::vector<BodyPhase> without = start;
+    if (close_joints(t, bodies, false, without).residual <= std::max(drift, share * closed.residual))
+      throw loop_against_motor(bodies);
+  }
+  report.note_joint_drift(closed.residual, closed.joint);
+}
+
+/// Names the motors without a limit of force of these bodies' joints.
+Unresolved JointProjection::loop_against_motor(const std::vector<int>& bodies) const {
+  std::string names;
+  for (const int joint : assembler_.joints_of(bodies)) {
+    const Joint& description = model_.joint(joint);
+    const bool is_driven =
+        std::any_of(description.axes.begin(), description.axes.end(),
+                    [](const JointAxis& axis) { return axis.motor && std::isinf(axis.motor->max_force); });
+    if (is_driven) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", description.name);
+  }
+  return {bodies,
+          fmt::format("the motor of joint {} has no max_force and drives a loop of joints to where it cannot "
+                      "go on; give it a max_force",
+                      names)};
+}
+
+/// Newton's method on the positions, in the metric of the masses, until the residual no longer falls.
+JointProjection::Closed JointProjection::close_joints(double t, const std::vector<int>& bodies,
+                                                      bool with_motors,
+                                                      std::vector<BodyPhase>& phases) const {
   constexpr int most_iterations = 8;
   constexpr double rounding = 1e-15;
-  double last = std::numeric_limits<double>::infinity();
+  Closed closed{0, std::numeric_limits<double>::infinity(), -1, false};
   std::vector<BodyPhase> best = phases;
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-    // The residual; Newton's method ends where it no longer falls.
-    const ContactSystem system = assembler_.assemble(t, bodies, phases, {});
+    const ContactSystem system = assembler_.assemble_joints(t, bodies, phases, with_motors);
     const auto [residual, joint] = system.joints->largest_residual();
-    if (iteration == 0) report.max_joint_projection = std::max(report.max_joint_projection, residual);
-    const bool is_better = residual < last;
+    if (iteration == 0) closed.first_residual = residual;
+    closed.has_motors = system.joints->has_motors();
+    closed.joint = joint;
+    const bool is_better = residual < closed.residual;
     if (is_better) {
-      last = residual;
+      closed.residual = residual;
       best = phases;
     }
-    if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) {
-      report.note_joint_drift(last, joint);
-      break;
-    }
+    if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) break;
 
     // The displacement M⁻¹ Gᵀ λ with G Δ = -g.
     const JointSystem::Response moved = system.joints->respond(
@@ -44,6 +83,7 @@ void JointProjection::project_positions(double t, const std::vector<int>& bodies
     }
   }
   phases = std::move(best);
+  return closed;
 }
 
 void JointProjection::restore_momenta(const Island& island, IslandStep& step) const {

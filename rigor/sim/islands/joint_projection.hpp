@@ -2,6 +2,7 @@
 
 #include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/report/advance_report.hpp"
+#include "rigor/sim/report/unresolved.hpp"
 
 #include <vector>
 
@@ -27,6 +28,16 @@ class JointProjection {
   void project_velocities(Cluster& cluster, AdvanceReport& report) const;
 
  private:
+  /// What closing the joints came to.
+  struct Closed {
+    double first_residual, residual;  ///< Largest |g| before and after [m or 1].
+    int joint;                        ///< Which one that is.
+    bool has_motors;                  ///< Whether there are motors without a limit of force.
+  };
+  Unresolved loop_against_motor(const std::vector<int>& bodies) const;
+  Closed close_joints(double t, const std::vector<int>& bodies, bool with_motors,
+                      std::vector<BodyPhase>& phases) const;
+
   const Model& model_;
   const ContactSystemAssembler& assembler_;
 };

@@ -22,6 +22,7 @@ enum class StopReason {
   events_accumulate,  ///< More events at one instant than can be resolved; time stands still.
   impact_unsolved,    ///< An impact left bodies approaching each other.
   not_finite,         ///< A state became infinite or NaN.
+  unresolved,         ///< A motion is faster than any useful part of a step follows.
   interrupted,        ///< The caller's interrupt asked for it.
   broken_promise,     ///< A promise within the program did not hold: a defect of the program.
 };

@@ -5,6 +5,7 @@
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/report/force_doubt.hpp"
@@ -187,12 +188,15 @@ ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
   // Steps of the integrator as its error allows, with positions projected on the joints after each.
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
-  while (left > 0) {
+  for (long useless = 0; left > 0;) {
     integrator.choose_joint_rows(island);
     const ControlledStep taken = integrator.controlled_step(island, std::min(left, wanted),
                                                             {std::min(left, least_step_share * h), left, h});
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
+    useless = taken.step.h < useless_share * h && taken.step.h < left ? useless + 1 : 0;
+    if (useless > most_useless_parts)
+      throw too_fast(model_, environment, island.bodies, island.start, taken.step.h);
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
     IslandStep step = taken.step;
     island.begin += step.h;

@@ -111,6 +111,7 @@ double TimeStepper::take_step(double h, State& state) {
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
     foresight.shorten(0.5 * trial->h);
   }
+  if (trial->gain > 0 && trial->report.impact_gain == 0) take_gain(*trial);
 
   // A body whose state is not finite ends the run.
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
@@ -201,7 +202,7 @@ TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const
 void TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                              Trial& trial) {
   trial.end.t = start.t + trial.h;
-  const std::vector<Cluster> parts = connected_parts(start, contacts, environment_);
+  trial.parts = connected_parts(start, contacts, environment_);
   const auto move = [&](Cluster moving) {
     MovedPart result;
     impulses_.strike(trial.h, moving, result.report);
@@ -211,12 +212,12 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
     result.end = std::move(moving.phases);
     return result;
   };
-  const std::vector<const MovedPart*> all_moved = moved_.moved(trial.h, theta, parts, move, executor_);
+  trial.moved = moved_.moved(trial.h, theta, trial.parts, move, executor_);
 
   // Entered in the order of the parts.
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Cluster& part = parts[k];
-    const MovedPart& moved = *all_moved[k];
+  for (std::size_t k = 0; k < trial.parts.size(); ++k) {
+    const Cluster& part = trial.parts[k];
+    const MovedPart& moved = *trial.moved[k];
     trial.report.add(moved.report);
     trial.forces.insert(trial.forces.end(), moved.forces.begin(), moved.forces.end());
     for (const std::vector<BodyPhase>* phases : {&moved.struck, &moved.end})

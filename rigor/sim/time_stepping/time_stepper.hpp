@@ -44,6 +44,8 @@ class TimeStepper : public FixedStepStepper {
     std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
     std::vector<ContactForce> forces = {};            ///< All through the step.
     double gain = 0;                                  ///< Energy gained beyond work and rounding [J].
+    std::vector<Cluster> parts = {};                  ///< As they were moved, at the beginning.
+    std::vector<const MovedPart*> moved = {};         ///< Of each part; valid as long as the step is tried.
   };
   /// What a try says of the next one.
   struct Lesson {
@@ -55,6 +57,7 @@ class TimeStepper : public FixedStepStepper {
   void end_span(double t, State& state) override;
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
+  void take_gain(Trial& trial) const;
   Trial try_calmly(const Energy& before, const State& state, Foresight& foresight);
   Trial try_step(double theta, const State& state, Foresight& foresight);
   Trial try_once(double theta, const State& state, const Foresight& foresight);

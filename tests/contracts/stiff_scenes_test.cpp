@@ -1,0 +1,133 @@
+// Springs, dampers and drag that no explicit step follows, forces and motors beyond all measure: a run ends
+// soon, with books that are right, or says what to change.
+
+#include "contracts/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace rigor::stiff_scenes_test {
+namespace {
+
+const char* const schemes[] = {"event-driven", "hybrid", "time-stepping"};
+
+constexpr const char* head = "rigor: 1\nrun: {duration: 0.1, step: 0.005, output_interval: 0.02}\nbodies:\n";
+
+class Draw {
+ public:
+  explicit Draw(int seed) : engine_(static_cast<std::uint64_t>(seed)) {}
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  /// 10 to the power of a number between these.
+  double power(double low, double high) { return std::pow(10, between(low, high)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+ProgramResult run_by(const ProgramFolder& folder, const std::string& scene, const std::string& scheme) {
+  folder.write("a.yaml", scene);
+  return folder.run({"run", "a.yaml", "--set", "method.scheme=" + scheme, "-o", "a.csv"});
+}
+
+void expect_passed(const ProgramResult& result, const std::string& scene) {
+  EXPECT_EQ(result.code, 0) << scene << result.out << result.error;
+}
+
+TEST(StiffScenes, ABodyInAnyDragKeepsItsBooks) {
+  const ProgramFolder folder;
+  for (int seed = 0; seed < 6; ++seed) {
+    Draw draw(seed);
+    const std::string scene =
+        head + fmt::format(
+                   "  - {{name: a, position: [3, 1, 2], mass: {:.6g}, velocity: [1, -2, {:.6g}], "
+                   "angular_velocity: [5, {:.6g}, 1], linear_drag: {:.6g}, angular_drag: {:.6g}, "
+                   "angular_damping: {:.6g}, shapes: [{{type: box, size: [0.2, 0.3, 0.1]}}]}}\n",
+                   draw.power(-6, 6), draw.between(-3, 3), draw.between(-9, 9), draw.power(0, 15),
+                   draw.power(0, 15), draw.power(-2, 12));
+    for (const char* const scheme : schemes) expect_passed(run_by(folder, scene, scheme), scene);
+  }
+}
+
+TEST(StiffScenes, ABallOnASpringOfAnyStiffnessComesToRestInItsBooks) {
+  const ProgramFolder folder;
+  for (const double stiffness : {1e13, 3e14, 1e15}) {
+    for (const double mass : {1e-3, 2e-6}) {
+      const std::string scene =
+          head +
+          fmt::format(
+              "  - {{name: a, position: [0, 0, 2], mass: {}, shapes: [{{type: sphere, radius: 0.1}}]}}\n"
+              "forces:\n  - {{type: spring, between: [world, a], points: [[0, 0, 3], [0, 0, 0]], "
+              "stiffness: {}, length: 0.6}}\n",
+              mass, stiffness);
+      for (const char* const scheme : schemes) expect_passed(run_by(folder, scene, scheme), scene);
+    }
+  }
+}
+
+TEST(StiffScenes, WhatTurnsTooFastStopsSoonWithItsName) {
+  const ProgramFolder folder;
+  const std::string body =
+      "  - {name: rotor, position: [0, 0, 1], shapes: [{type: box, size: [0.2, 0.2, 0.2]}]}\n";
+  const std::string torque = head + body + "forces:\n  - {type: torque, body: rotor, torque: [0, 1e15, 0]}\n";
+  const std::string motor =
+      head + body +
+      "joints:\n  - {name: j, type: hinge, bodies: [world, rotor], anchor: [0.3, 0, 1], "
+      "axis: [0, 1, 0], motor: {velocity: 1e8}}\n";
+  for (const std::string& scene : {torque, motor}) {
+    for (const char* const scheme : schemes) {
+      const ProgramResult result = run_by(folder, scene, scheme);
+      EXPECT_EQ(result.code, 4) << scene;
+      expect_contains(result.error, "(unresolved): body 'rotor' turns at ");
+      expect_contains(result.error, "run.step");
+    }
+  }
+}
+
+TEST(StiffScenes, AMotorWithoutABoundThatALoopHoldsIsNamed) {
+  const ProgramFolder folder;
+  // Arms of 3.5 and 1.5 between points 5 apart: stretched out, they cannot turn.
+  const std::string scene =
+      std::string(head) +
+      "  - {name: a, position: [0, 0, 3], shapes: [{type: sphere, radius: 0.1}]}\n"
+      "  - {name: b, position: [0.3, 0, 3], shapes: [{type: sphere, radius: 0.1}]}\njoints:\n"
+      "  - {name: drive, type: hinge, bodies: [world, a], anchor: [-0.2, 0, 3], axis: [0, 1, 0], "
+      "motor: {velocity: 20}}\n"
+      "  - {name: rod, type: hinge, bodies: [a, b], anchor: [0.15, 0, 3], axis: [0, 1, 0]}\n"
+      "  - {name: hold, type: hinge, bodies: [world, b], anchor: [0.3, 0, 3], axis: [0, 1, 0]}\n";
+  for (const char* const scheme : schemes) {
+    const ProgramResult result = run_by(folder, scene, scheme);
+    EXPECT_EQ(result.code, 4) << result.out;
+    expect_contains(result.error, "the motor of joint 'drive' has no max_force");
+  }
+}
+
+// A ball that slides along a blade which turns by a quarter of a radian in a step gained 2e-5 of its energy.
+TEST(StiffScenes, ABallUnderABladeThatTurnsGainsNoEnergyByTimeStepping) {
+  const ProgramFolder folder;
+  for (int seed = 0; seed < 8; ++seed) {
+    Draw draw(seed);
+    const double spin = draw.between(45, 75), step = draw.between(0.003, 0.005);
+    const std::string scene = fmt::format(
+        "rigor: 1\nworld: {{gravity: [0, 0, 0]}}\nrun: {{duration: 0.11, step: {0:.6g}, output_interval: "
+        "{0:.6g}}}\n"
+        "materials: [{{name: default, density: 430, friction: 0, restitution: 0}}]\nbodies:\n"
+        "  - {{name: blade, motion: kinematic, angular_velocity: [0, 0, {1:.6g}], shapes: [{{type: box, "
+        "size: [0.6, "
+        "0.003, 0.116]}}]}}\n"
+        "  - {{name: ball, position: [{2:.6g}, {3:.6g}, 0.0017], shapes: [{{type: sphere, radius: "
+        "0.029}}]}}\n",
+        step, -spin, draw.between(-0.06, -0.05), draw.between(0.13, 0.16));
+    folder.write("a.yaml", scene);
+    expect_passed(folder.run({"run", "a.yaml", "--set", "method.scheme=time-stepping"}), scene);
+  }
+}
+
+}  // namespace
+}  // namespace rigor::stiff_scenes_test
