@@ -15,8 +15,6 @@
 #include <limits>
 #include <system_error>
 
-#include <unistd.h>
-
 namespace rigor {
 
 namespace {
@@ -27,13 +25,6 @@ constexpr double most_rows = 1e8;
 std::uint64_t identity_of(const StudyPlan& plan, const SceneTemplate* scene) {
   std::uint64_t hash = hash_of(plan.text, hash_of(version));
   return scene ? hash_of(scene->text(), hash) : hash;
-}
-
-/// Memory of this machine [bytes]; infinite if unknown.
-double whole_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || bytes <= 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(pages) * static_cast<double>(bytes);
 }
 
 void check_number_of_runs(const StudyPlan& plan, double cells) {
@@ -66,22 +57,24 @@ Study::Study(StudyPlan plan)
 void Study::load(const std::filesystem::path& journal) {
   if (is_loaded_ || journal.empty()) return;
   is_loaded_ = true;
+  // Rows that memory does not hold lie beside the journal.
+  rows_.set_folder(journal.has_parent_path() ? journal.parent_path() : ".");
   resumed_ = read_journal(journal, identity_, rows_);
 }
 
 StudyCost Study::foresee(const std::filesystem::path& journal) {
   load(journal);
   const double rows = static_cast<double>(strategy_->most());
-  StudyCost cost{strategy_->most(), 0, rows * static_cast<double>(journal_row_bytes(rows_.columns())),
-                 rows * RowTable::row_bytes(rows_.columns())};
-  if (journal.empty()) cost.disk = 0;
-  if (cost.disk > free_bytes(journal))
-    throw FileError(fmt::format("the journal {} may take {:.3g} MB, more than is free there",
-                                journal.string(), 1e-6 * cost.disk));
-  if (cost.memory > whole_memory())
+  const double table = rows * RowTable::row_bytes(rows_.columns());
+  StudyCost cost{.runs = strategy_->most(),
+                 .disk = std::max(0.0, table - RowTable::kept_bytes),
+                 .memory = std::min(table, RowTable::kept_bytes)};
+  if (!journal.empty()) cost.disk += rows * static_cast<double>(journal_row_bytes(rows_.columns()));
+  if (cost.disk > free_bytes(rows_.folder() / "rows"))
     throw FileError(
-        fmt::format("the rows of {:.3g} runs may take {:.3g} MB of memory, more than this machine has", rows,
-                    1e-6 * cost.memory));
+        fmt::format("the journal and the rows of {:.3g} runs may take {:.3g} MB in the folder {}, "
+                    "more than is free there",
+                    rows, 1e-6 * cost.disk, quoted_text(rows_.folder().string())));
   if (!rows_.has(0)) {
     RunExecutor executor(plan_, scene_);
     const std::optional<RunRow> row = executor.run({0, strategy_->point(0)}, {});

@@ -16,9 +16,10 @@ namespace rigor {
 
 /// What a study will cost, foreseen from its first run.
 struct StudyCost {
-  std::uint64_t runs = 0;       ///< The most.
-  double run_time = 0;          ///< Processor time of the first run [s].
-  double disk = 0, memory = 0;  ///< Of the journal and of the table of all rows [bytes].
+  std::uint64_t runs = 0;  ///< The most.
+  double run_time = 0;     ///< Processor time of the first run [s].
+  double disk = 0,
+         memory = 0;  ///< Of the journal and of the table of all rows, which has a part in each [bytes].
 };
 
 /// A study under way or at its end.

@@ -29,7 +29,7 @@ bool are_finite(const std::vector<double>& values) {
 }  // namespace
 
 PassageWitness::PassageWitness(std::shared_ptr<const Model> model)
-    : model_(std::move(model)), environment_(*model_), marked_(mark_bodies(*model_)) {}
+    : model_(std::move(model)), marked_(mark_bodies(*model_)) {}
 
 void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
   watch_boxes(paths);
@@ -81,7 +81,8 @@ void PassageWitness::watch_boxes(std::span<const BodyPath> paths) {
 
 void PassageWitness::begin(const State& state) {
   if (!pairs_) {
-    moves_.emplace(*model_, environment_, marked_);
+    environment_ = std::make_unique<Environment>(*model_);
+    moves_.emplace(*model_, *environment_, marked_);
     pairs_.emplace(model_, marked_);
   } else {
     for (int i = 0; i < model_->body_count(); ++i) {
@@ -108,7 +109,7 @@ void PassageWitness::watch(const State& after, AdvanceReport& report) {
   std::map<int, BodyPath> paths;
   const auto path_of = [&](int body) -> const BodyPath& {
     BodyPath& path = paths[body];
-    if (path.empty()) path.push_back(step_way(*model_, environment_, body, before_, after));
+    if (path.empty()) path.push_back(step_way(*model_, *environment_, body, before_, after));
     return path;
   };
   // In the order of the bodies whose markers are followed.
