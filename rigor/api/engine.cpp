@@ -35,6 +35,11 @@ void check_settings(const Scene& scene) {
   if (!messages.empty()) throw InputError(std::move(messages));
 }
 
+bool changes_nothing(const ModelChanges& changes, const Model& scene) {
+  return changes.g_W == scene.g_W() && changes.surfaces == unchanged(scene).surfaces &&
+         changes.axes.empty() && changes.leads.empty() && changes.added_forces.empty();
+}
+
 /// The State at t = 0 without overlaps.
 State start_of(const Scene& scene, bool separate) {
   constexpr std::size_t most_messages = 10;
@@ -125,16 +130,19 @@ void SimulationEngine::follow_inputs(const std::vector<BodyLoad>& loads) {
     steps_in_bulk_->set_loads(loads_);
     return;
   }
-  // The past stays as it was: bodies are anchored where they are before another law moves them.
+  // Worlds in which nothing is set share the model of the scene.
   ModelChanges changes = inputs_.changes;
   if (!steps_in_bulk_) changes.added_forces = forces_of_loads(all);
-  std::shared_ptr<const Model> model = changed_model(*scene_.model, changes);
+  std::shared_ptr<const Model> model =
+      changes_nothing(changes, *scene_.model) ? scene_.model : changed_model(*scene_.model, changes);
+  inputs_changed_ = false;
+  if (model == model_ && are_same) return;
+  // The past stays as it was: bodies are anchored where they are before another law moves them.
   state_.anchor_here();
   wake();
   use(std::move(model), std::move(all));
   auditor_->change(model_, state_);
   applied_ = inputs_.changes;
-  inputs_changed_ = false;
 }
 
 void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {

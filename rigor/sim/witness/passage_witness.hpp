@@ -47,6 +47,7 @@ class PassageWitness {
 
   std::shared_ptr<const Model> model_;
   std::vector<std::shared_ptr<const MarkedBody>> marked_;  ///< By body.
+  bool follows_anything_;                                  ///< Some body has markers.
   // Of paths:
   std::vector<Solid> solid_of_;     ///< All shapes, body by body.
   std::vector<Aabb> marker_boxes_;  ///< Boxes that hold the markers of each body,
