@@ -101,7 +101,7 @@ std::string cost_text(const StudyCost& cost, int crew) {
   return fmt::format("{} runs at most, {} each by the first: {} on {} at a time; {:.3g} MB of memory{}",
                      cost.runs, span_text(cost.run_time), span_text(runs * cost.run_time / crew), crew,
                      1e-6 * cost.memory,
-                     cost.disk > 0 ? fmt::format(", {:.3g} MB of journal", 1e-6 * cost.disk) : "");
+                     cost.disk > 0 ? fmt::format(", {:.3g} MB of disk", 1e-6 * cost.disk) : "");
 }
 
 }  // namespace rigor

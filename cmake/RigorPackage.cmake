@@ -3,6 +3,11 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# Symbols of shared libraries carry major and minor version, as the names of the files do: a program that was linked with
+# another version is told so by the loader.
+set(rigor_symbols RIGOR_${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rigor_symbols.map CONTENT "${rigor_symbols} { global: *; };\n")
+
 # rigor_library(name output layer...): one library of the objects of these layers.
 function(rigor_library name output)
   set(objects "")
@@ -16,6 +21,9 @@ function(rigor_library name output)
     INSTALL_RPATH $ORIGIN
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+  if(BUILD_SHARED_LIBS)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/rigor_symbols.map)
+  endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE fmt::fmt)

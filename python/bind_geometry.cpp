@@ -9,11 +9,6 @@ namespace {
 using Vertices = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-/// A shape as Python holds it.
-struct Solid {
-  Shape shape;
-};
-
 double positive(const char* what, double value) {
   if (value >= 1e-9 && value <= 1e9) return value;
   throw InputError(std::string(what) + " is " + std::to_string(value) + " m, must be from 1e-9 to 1e9 m");

@@ -272,8 +272,21 @@ void bind_questions(py::class_<Simulation>& type) {
       .def("take_events", &Simulation::take_events, "Events since the last call, as a list of Event.")
       .def_property_readonly("energy", &Simulation::energy, "Mechanical energy [J].")
       .def("_audit_json", [](const Simulation& s) { return audit_json(s.audit()); })
-      .def("_violations", [](const Simulation& s) { return s.audit().violations; })
-      .def(
+      .def("_violations", [](const Simulation& s) { return s.audit().violations; });
+}
+
+void bind_queries(py::module_& module, py::class_<Simulation>& type) {
+  py::class_<BodyCastHit>(module, "CastHit", "Where a shape that is pushed meets a body.")
+      .def_property_readonly(
+          "body", [](const BodyCastHit& h) { return h.on.body; }, "Index of the body.")
+      .def_property_readonly(
+          "fraction", [](const BodyCastHit& h) { return h.hit.fraction; },
+          "Of the way, which is proven free so far.")
+      .def_property_readonly(
+          "point", [](const BodyCastHit& h) { return h.hit.p_W; }, "[m].")
+      .def_property_readonly(
+          "normal", [](const BodyCastHit& h) { return h.hit.n_W; }, "From the shape to the body, unit.");
+  type.def(
           "ray",
           [](const Simulation& s, const Vec3& origin, const Vec3& direction, double longest) {
             if (!(origin.allFinite() && direction.allFinite() && direction.norm() > 0))
@@ -294,7 +307,21 @@ void bind_questions(py::class_<Simulation>& type) {
             return found;
           },
           py::arg("point"), py::arg("k") = 1,
-          "The k bodies nearest to a point: pairs of index and signed distance [m].");
+          "The k bodies nearest to a point: pairs of index and signed distance [m].")
+      .def(
+          "cast",
+          [](const Simulation& s, const Solid& shape, const py::object& pose, const Vec3& way) {
+            if (!way.allFinite()) throw InputError("the way of a pushed shape must be finite");
+            return s.queries().cast({&shape.shape, pose_of(pose), way});
+          },
+          py::arg("shape"), py::arg("pose"), py::arg("way"),
+          "The first body that a shape meets which is pushed along a way [m], as a CastHit, or None.")
+      .def(
+          "overlapping",
+          [](const Simulation& s, const Solid& shape, const py::object& pose) {
+            return s.queries().overlapping(shape.shape, pose_of(pose));
+          },
+          py::arg("shape"), py::arg("pose"), "Indices of the bodies that a shape touches or overlaps there.");
 }
 
 }  // namespace
@@ -307,6 +334,7 @@ void bind_simulation(py::module_& module) {
   bind_places(type);
   bind_actions(type);
   bind_questions(type);
+  bind_queries(module, type);
 }
 
 }  // namespace rigor::python

@@ -33,6 +33,11 @@ Pose pose_of(const py::object& given);
 /// Position and quaternion w x y z: 7 numbers.
 py::array_t<double> pose_numbers(const Pose& pose);
 
+/// A shape in Python.
+struct Solid {
+  Shape shape;
+};
+
 void bind_errors(py::module_& module);
 void bind_simulation(py::module_& module);
 void bind_run(py::module_& module);

@@ -6,6 +6,8 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
+from .geometry import Shape
+
 __version__: str
 
 class InputError(ValueError):
@@ -155,6 +157,21 @@ class RayHit:
     def normal(self) -> npt.NDArray[np.float64]:
         """Outward, unit."""
 
+class CastHit:
+    """Where a shape that is pushed meets a body."""
+    @property
+    def body(self) -> int:
+        """Index of the body."""
+    @property
+    def fraction(self) -> float:
+        """Of the way, which is proven free so far."""
+    @property
+    def point(self) -> npt.NDArray[np.float64]:
+        """[m]."""
+    @property
+    def normal(self) -> npt.NDArray[np.float64]:
+        """From the shape to the body, unit."""
+
 class Simulation:
     def __init__(self, scene: SceneData, separate: bool = False) -> None: ...
     def step(self) -> None:
@@ -248,6 +265,10 @@ class Simulation:
         """The first surface that a ray crosses, as a RayHit, or None."""
     def nearest(self, point: npt.ArrayLike | None, k: int = 1) -> list[tuple[int, float]]:
         """The k bodies nearest to a point: pairs of index and signed distance [m]."""
+    def cast(self, shape: Shape, pose: npt.ArrayLike | None, way: npt.ArrayLike) -> Optional[CastHit]:
+        """The first body that a shape meets which is pushed along a way [m], as a CastHit, or None."""
+    def overlapping(self, shape: Shape, pose: npt.ArrayLike | None) -> list[int]:
+        """Indices of the bodies that a shape touches or overlaps there."""
 
 class Batch:
     def __init__(self, scene: SceneData, count: int, threads: int = 0) -> None: ...

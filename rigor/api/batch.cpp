@@ -57,10 +57,6 @@ void Batch::set_controller(const Controller& controller, double period) {
   }
 }
 
-void Batch::set_interrupt(const std::function<bool()>& interrupt) {
-  for (Simulation& world : worlds_) world.set_interrupt(interrupt);
-}
-
 void Batch::for_each(const std::function<void(int, Simulation&)>& work) {
   // Each thread takes the next world that nobody has taken; the first error, by index, is thrown at the end.
   std::atomic<int> next{0};
@@ -86,21 +82,42 @@ void Batch::for_each(const std::function<void(int, Simulation&)>& work) {
 }
 
 void Batch::step() {
-  for_each([this](int i, Simulation& world) {
-    if (!stops_[at(i)].empty()) return;
-    try {
-      world.step();
-    } catch (const SimulationStopped& stop) {
-      stops_[at(i)] = stop.what();
-    }
-  });
+  advance_each([](Simulation& world) { world.step(); });
 }
 
 void Batch::advance_to(double t) {
-  for_each([this, t](int i, Simulation& world) {
+  advance_each([t](Simulation& world) { world.advance_to(t); });
+}
+
+namespace {
+
+/// A world that asks the interrupt of its batch, set while it is at work: one pass over all worlds would
+/// bring each into the cache once more.
+class AskingWorld {
+ public:
+  AskingWorld(Simulation& world, const std::function<bool()>& interrupt)
+      : world_(world), asks_(static_cast<bool>(interrupt)) {
+    if (asks_) world_.set_interrupt([&interrupt] { return interrupt(); });
+  }
+  ~AskingWorld() {
+    if (asks_) world_.set_interrupt({});
+  }
+  AskingWorld(const AskingWorld&) = delete;
+  AskingWorld& operator=(const AskingWorld&) = delete;
+
+ private:
+  Simulation& world_;
+  bool asks_;
+};
+
+}  // namespace
+
+void Batch::advance_each(const std::function<void(Simulation& world)>& advance) {
+  for_each([&](int i, Simulation& world) {
     if (!stops_[at(i)].empty()) return;
+    const AskingWorld asking(world, interrupt_);
     try {
-      world.advance_to(t);
+      advance(world);
     } catch (const SimulationStopped& stop) {
       stops_[at(i)] = stop.what();
     }

@@ -38,8 +38,8 @@ class Batch {
   /// Period in s.
   void set_controller(const Controller& controller, double period = 0);
   /// Asked by every world at each event or step, on its thread: true ends the call with Interrupted. The
-  /// worlds may then be at different times.
-  void set_interrupt(const std::function<bool()>& interrupt);
+  /// worlds may then be at different times. While the batch advances it is in place of a world's own.
+  void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
   /// Returns a world to t = 0; it goes on if it had stopped. What is set in it stays.
   void reset(int index);
   /// Calls `work` with every world, on the threads; each call touches its own world only.
@@ -59,11 +59,13 @@ class Batch {
 
  private:
   int checked(int index) const;
+  void advance_each(const std::function<void(Simulation& world)>& advance);
 
   int threads_;
   std::vector<Simulation> worlds_;
   std::vector<std::string> stops_;
   std::vector<double> states_;
+  std::function<bool()> interrupt_;
 };
 
 }  // namespace rigor

@@ -11,7 +11,6 @@
 #include "rigor/sim/bulk/bulk_stepper.hpp"
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/method/scheme_check.hpp"
-#include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <fmt/format.h>
@@ -34,6 +33,11 @@ void check_settings(const Scene& scene) {
   if (!step.empty()) messages.push_back(step);
   if (scene.run.threads < 1) messages.push_back("threads must be at least 1");
   if (!messages.empty()) throw InputError(std::move(messages));
+}
+
+bool changes_nothing(const ModelChanges& changes, const Model& scene) {
+  return changes.g_W == scene.g_W() && changes.surfaces == unchanged(scene).surfaces &&
+         changes.axes.empty() && changes.leads.empty() && changes.added_forces.empty();
 }
 
 /// The State at t = 0 without overlaps.
@@ -60,7 +64,6 @@ State start_of(const Scene& scene, bool separate) {
 
 SimulationEngine::SimulationEngine(Scene scene, bool separate) : scene_(std::move(scene)) {
   check_settings(scene_);
-  method_ = resolve_scheme(*scene_.model, scene_.method).method;
   inputs_.changes = unchanged(*scene_.model);
   start_ = start_of(scene_, separate);
   reset();
@@ -75,7 +78,7 @@ void SimulationEngine::reset() {
   applied_ = unchanged(*scene_.model);
   events_.clear();
   use(scene_.model, {});
-  auditor_ = std::make_unique<Auditor>(model_, scene_.method, state_);
+  auditor_ = std::make_unique<Auditor>(model_, choice_, state_);
 }
 
 void SimulationEngine::set_interrupt(std::function<bool()> interrupt) {
@@ -91,12 +94,19 @@ void SimulationEngine::inputs_changed() {
 void SimulationEngine::use(std::shared_ptr<const Model> model, std::vector<BodyLoad> loads) {
   model_ = std::move(model);
   loads_ = std::move(loads);
-  environment_ = std::make_unique<Environment>(*model_);
-  stepper_ = make_stepper(model_, scene_.method, scene_.run.step, scene_.run.threads);
+  choose_scheme();
+  stepper_ = make_stepper(model_, choice_, scene_.run.step, scene_.run.threads);
   stepper_->set_interrupt(interrupt_);
   is_as_left_ = false;
   steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
   if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
+}
+
+void SimulationEngine::choose_scheme() {
+  std::vector<ModelChanges::Surface> surfaces = unchanged(*model_).surfaces;
+  if (surfaces == surfaces_ && choice_.method.scheme != Scheme::automatic) return;
+  choice_ = resolve_scheme(*model_, scene_.method);
+  surfaces_ = std::move(surfaces);
 }
 
 /// The change may move bodies that sleep.
@@ -120,16 +130,19 @@ void SimulationEngine::follow_inputs(const std::vector<BodyLoad>& loads) {
     steps_in_bulk_->set_loads(loads_);
     return;
   }
-  // The past stays as it was: bodies are anchored where they are before another law moves them.
+  // Worlds in which nothing is set share the model of the scene.
   ModelChanges changes = inputs_.changes;
   if (!steps_in_bulk_) changes.added_forces = forces_of_loads(all);
-  std::shared_ptr<const Model> model = changed_model(*scene_.model, changes);
+  std::shared_ptr<const Model> model =
+      changes_nothing(changes, *scene_.model) ? scene_.model : changed_model(*scene_.model, changes);
+  inputs_changed_ = false;
+  if (model == model_ && are_same) return;
+  // The past stays as it was: bodies are anchored where they are before another law moves them.
   state_.anchor_here();
   wake();
   use(std::move(model), std::move(all));
   auditor_->change(model_, state_);
   applied_ = inputs_.changes;
-  inputs_changed_ = false;
 }
 
 void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {
@@ -141,7 +154,7 @@ void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {
     throw Interrupted();
   }
   // Momenta whose energy overflows are no numbers for those who read them.
-  if (!std::isfinite(mechanical_energy(*model_, *environment_, state_).total())) {
+  if (!std::isfinite(mechanical_energy(*model_, auditor_->environment(), state_).total())) {
     state_ = before;
     report = {};
     report.reason = StopReason::not_finite;
@@ -181,7 +194,7 @@ std::vector<TouchingPoint> SimulationEngine::contacts() const {
   // As long as the State is the one that the scheme has left, the scheme knows what moved it there.
   std::optional<std::vector<TouchingPoint>> found;
   if (is_as_left_ || steps_in_bulk_) found = stepper_->contacts_of(state_);
-  return found ? *std::move(found) : contact_snapshot(*model_, method_, state_);
+  return found ? *std::move(found) : contact_snapshot(*model_, choice_.method, state_);
 }
 
 std::vector<JointReaction> SimulationEngine::joint_motions() const {
@@ -189,7 +202,7 @@ std::vector<JointReaction> SimulationEngine::joint_motions() const {
 }
 
 std::vector<JointReaction> SimulationEngine::joint_forces() const {
-  std::vector<JointReaction> joints = joint_snapshot(*model_with_loads(), method_, state_);
+  std::vector<JointReaction> joints = joint_snapshot(*model_with_loads(), choice_.method, state_);
   // What servos and efforts do comes on top of what motors do.
   for (const ModelChanges::Axis& axis : applied_.axes) {
     if (have_same_springs(axis.laws, scene_.model->joint(axis.joint).axes[at(axis.coordinate)])) continue;
@@ -214,7 +227,7 @@ std::vector<MotionEvent> SimulationEngine::take_events() {
 }
 
 double SimulationEngine::energy() const {
-  return mechanical_energy(*model_, *environment_, state_).total();
+  return mechanical_energy(*model_, auditor_->environment(), state_).total();
 }
 
 Audit SimulationEngine::audit() const {

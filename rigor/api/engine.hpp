@@ -17,7 +17,6 @@
 namespace rigor {
 
 class BulkStepper;
-class Environment;
 
 /// A scheme at work on a scene whose inputs may change between two advances. A change is a new Model with the
 /// same State and a new stepper, as in the live simulation; what it gives to the energy is booked as work.
@@ -31,7 +30,7 @@ class SimulationEngine {
   const Scene& scene() const { return scene_; }
   /// The scene with the changes of the last advance.
   const Model& model() const { return *model_; }
-  const Method& method() const { return method_; }  ///< With the scheme that `auto` has chosen.
+  const Method& method() const { return choice_.method; }  ///< With the scheme that `auto` has chosen.
   const State& state() const { return state_; }
   SimulationInputs& inputs() { return inputs_; }
   const SimulationInputs& inputs() const { return inputs_; }
@@ -71,20 +70,22 @@ class SimulationEngine {
 
  private:
   void follow_inputs(const std::vector<BodyLoad>& loads);
+  void choose_scheme();
   void use(std::shared_ptr<const Model> model, std::vector<BodyLoad> loads);
   void wake();
   std::shared_ptr<const Model> model_with_loads() const;
   std::vector<BodyLoad> all_loads(const std::vector<BodyLoad>& loads) const;
 
   Scene scene_;
-  Method method_;
+  /// Which scheme runs: `auto` chooses anew only where surfaces are others, on which it may depend.
+  ResolvedMethod choice_;
+  std::vector<ModelChanges::Surface> surfaces_;  ///< For which it has chosen.
   SimulationInputs inputs_;
   State state_;
   State start_;
   std::shared_ptr<const Model> model_;
-  ModelChanges applied_;                      ///< The changes of the inputs that are in the model.
-  std::vector<BodyLoad> loads_;               ///< That act in the model, or in the stepper.
-  std::unique_ptr<Environment> environment_;  ///< Of the model.
+  ModelChanges applied_;         ///< The changes of the inputs that are in the model.
+  std::vector<BodyLoad> loads_;  ///< That act in the model, or in the stepper.
   bool inputs_changed_ = false;
   bool is_as_left_ = false;  ///< The State is the one that the stepper's last call has left.
   std::function<bool()> interrupt_;

@@ -63,7 +63,7 @@ SimulationEngine::WaitingLoads SimulationEngine::restore(std::string_view bytes)
     state_ = checkpoint.state;
     events_.clear();
     use(std::move(model), std::move(acting));
-    auditor_ = std::make_unique<Auditor>(model_, scene_.method, state_, checkpoint.audit);
+    auditor_ = std::make_unique<Auditor>(model_, choice_, state_, checkpoint.audit);
     return loads;
   } catch (const Json::exception& error) {
     throw InputError(std::string("these are not the bytes of a saved simulation: ") + error.what());

@@ -60,6 +60,9 @@ int utf8_length(std::string_view text) {
 }
 
 std::string escaped_text(std::string_view text) {
+  // Nearly all texts are plain: names are quoted wherever a message might be about them.
+  const bool is_plain = std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
+  if (is_plain) return std::string(text);
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = at(utf8_length(text.substr(i)));
@@ -76,7 +79,7 @@ std::string escaped_text(std::string_view text) {
 
 std::string quoted_text(std::string_view text) {
   // The cut comes before a character that begins beyond the limit.
-  std::size_t end = 0;
+  std::size_t end = text.size() <= longest_quoted ? text.size() : 0;
   while (end < text.size() && end < longest_quoted) end += at(std::max(1, utf8_length(text.substr(end))));
   const char* const rest = end < text.size() ? "...'" : "'";
   return "'" + escaped_text(text.substr(0, end)) + rest;

@@ -15,6 +15,7 @@ struct ModelChanges {
   struct Surface {
     double friction;     ///< Coulomb μ, ≥ 0.
     double restitution;  ///< e in [0, 1].
+    bool operator==(const Surface&) const = default;
   };
   std::vector<Surface> surfaces;    ///< One per material. Pairs with coefficients of their own keep them.
   std::vector<Force> added_forces;  ///< Besides the model's own.

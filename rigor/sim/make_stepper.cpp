@@ -6,7 +6,6 @@
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/event_driven/impulse_based_stepper.hpp"
 #include "rigor/sim/handover/auto_stepper.hpp"
-#include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/penalty/penalty_global_stepper.hpp"
 #include "rigor/sim/penalty/penalty_stepper.hpp"
 #include "rigor/sim/time_stepping/time_stepper.hpp"
@@ -25,9 +24,8 @@ std::unique_ptr<EventDrivenStepper> make_event_driven(std::shared_ptr<const Mode
 }
 
 /// The stepper of the scheme, which does not look at drives.
-std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const Method& method,
+std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const ResolvedMethod& choice,
                                        double target_step, int threads) {
-  const ResolvedMethod choice = resolve_scheme(*model, method);
   const Method& resolved = choice.method;
   if (choice.steps) {
     return std::make_unique<AutoStepper>(model, make_event_driven(model, resolved, target_step),
@@ -50,10 +48,16 @@ std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const
 
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
                                       double target_step, int threads) {
-  if (model->drives().empty()) return make_undriven(std::move(model), method, target_step, threads);
+  const ResolvedMethod choice = resolve_scheme(*model, method);
+  return make_stepper(std::move(model), choice, target_step, threads);
+}
+
+std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const ResolvedMethod& choice,
+                                      double target_step, int threads) {
+  if (model->drives().empty()) return make_undriven(std::move(model), choice, target_step, threads);
   return std::make_unique<DrivenStepper>(
-      std::move(model), target_step, [method, target_step, threads](std::shared_ptr<const Model> driven) {
-        return make_undriven(std::move(driven), method, target_step, threads);
+      std::move(model), target_step, [choice, target_step, threads](std::shared_ptr<const Model> driven) {
+        return make_undriven(std::move(driven), choice, target_step, threads);
       });
 }
 

@@ -104,9 +104,10 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
                          const Observer& observer, const std::function<bool()>& interrupt,
                          const std::optional<Audit>& earlier) {
   State state = start ? *start : make_initial_state(*model);
-  std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step, settings.threads);
+  const ResolvedMethod choice = resolve_scheme(*model, method);
+  std::unique_ptr<Stepper> stepper = make_stepper(model, choice, settings.step, settings.threads);
   stepper->set_interrupt(interrupt);
-  Auditor auditor = earlier ? Auditor(model, method, state, *earlier) : Auditor(model, method, state);
+  Auditor auditor = earlier ? Auditor(model, choice, state, *earlier) : Auditor(model, choice, state);
   RunResult result =
       Course(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
   for (Audit* audit : {&result.audit, &result.resumable_audit}) {

@@ -53,7 +53,7 @@ bool receive(int from, Tag tag, std::string& bytes, int& sender) {
 
 /// Waits without keeping a processor busy, which belongs to the runs: MPI's own waiting would.
 void nap() {
-  std::this_thread::sleep_for(std::chrono::microseconds(200));
+  std::this_thread::sleep_for(std::chrono::microseconds(500));
 }
 
 /// Rows one after the other, each with its length.
@@ -89,7 +89,7 @@ class MessageSize {
     ++count_;
   }
   int tasks() const {
-    constexpr double message_time = 20e-3, shortest_run = 2e-5;
+    constexpr double message_time = 50e-3, shortest_run = 2e-5;
     if (count_ == 0) return 1;
     return static_cast<int>(std::max(1.0, message_time / std::max(shortest_run, time_ / count_)));
   }

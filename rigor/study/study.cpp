@@ -6,7 +6,6 @@
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/flow_text.hpp"
 #include "rigor/io/files/version.hpp"
-#include "rigor/study/crew/journal.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
-
-#include <unistd.h>
 
 namespace rigor {
 
@@ -29,11 +26,9 @@ std::uint64_t identity_of(const StudyPlan& plan, const SceneTemplate* scene) {
   return scene ? hash_of(scene->text(), hash) : hash;
 }
 
-/// Memory of this machine [bytes]; infinite if unknown.
-double whole_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || bytes <= 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(pages) * static_cast<double>(bytes);
+/// Rows that memory does not hold lie beside the journal.
+void place_rows(const std::filesystem::path& journal, RowTable& rows) {
+  if (!journal.empty()) rows.set_folder(journal.has_parent_path() ? journal.parent_path() : ".");
 }
 
 void check_number_of_runs(const StudyPlan& plan, double cells) {
@@ -63,25 +58,28 @@ Study::Study(StudyPlan plan)
   probe.begin(executor.scenes_of(first).front().model, values_.at(first.point));
 }
 
-void Study::load(const std::filesystem::path& journal) {
+void Study::load(const std::filesystem::path& journal, bool appends) {
   if (is_loaded_ || journal.empty()) return;
+  place_rows(journal, rows_);
+  if (appends) lock_ = std::make_unique<JournalLock>(journal);
   is_loaded_ = true;
   resumed_ = read_journal(journal, identity_, rows_);
 }
 
 StudyCost Study::foresee(const std::filesystem::path& journal) {
-  load(journal);
+  place_rows(journal, rows_);
   const double rows = static_cast<double>(strategy_->most());
-  StudyCost cost{strategy_->most(), 0, rows * static_cast<double>(journal_row_bytes(rows_.columns())),
-                 rows * RowTable::row_bytes(rows_.columns())};
-  if (journal.empty()) cost.disk = 0;
-  if (cost.disk > free_bytes(journal))
-    throw FileError(fmt::format("the journal {} may take {:.3g} MB, more than is free there",
-                                journal.string(), 1e-6 * cost.disk));
-  if (cost.memory > whole_memory())
+  const double table = rows * RowTable::row_bytes(rows_.columns());
+  StudyCost cost{.runs = strategy_->most(),
+                 .disk = std::max(0.0, table - RowTable::kept_bytes),
+                 .memory = std::min(table, RowTable::kept_bytes)};
+  if (!journal.empty()) cost.disk += rows * static_cast<double>(journal_row_bytes(rows_.columns()));
+  if (cost.disk > free_bytes(rows_.folder() / "rows"))
     throw FileError(
-        fmt::format("the rows of {:.3g} runs may take {:.3g} MB of memory, more than this machine has", rows,
-                    1e-6 * cost.memory));
+        fmt::format("the journal and the rows of {:.3g} runs may take {:.3g} MB in the folder {}, "
+                    "more than is free there",
+                    rows, 1e-6 * cost.disk, quoted_text(rows_.folder().string())));
+  load(journal, true);
   if (!rows_.has(0)) {
     RunExecutor executor(plan_, scene_);
     const std::optional<RunRow> row = executor.run({0, strategy_->point(0)}, {});
@@ -101,7 +99,10 @@ std::optional<RunTask> Study::next_task(std::uint64_t wanted) {
 }
 
 bool Study::run(Crew& crew, const StudySettings& settings) {
-  load(settings.journal);
+  load(settings.journal, true);
+  // It is let go when the study has ended, not when its rows are no longer looked at.
+  std::unique_ptr<JournalLock> lock = std::move(lock_);
+  if (!lock && !settings.journal.empty()) lock = std::make_unique<JournalLock>(settings.journal);
   std::optional<Journal> journal;
   if (!settings.journal.empty()) journal.emplace(settings.journal, identity_, rows_.columns());
   std::uint64_t wanted = strategy_->wanted(rows_);
@@ -128,7 +129,7 @@ bool Study::run(Crew& crew, const StudySettings& settings) {
 }
 
 RunTask Study::task_of(std::uint64_t run, const std::filesystem::path& journal) {
-  load(journal);
+  load(journal, false);
   const std::uint64_t wanted = strategy_->wanted(rows_);
   if (run < wanted) return {run, strategy_->point(run)};
   throw InputError(fmt::format("there is no run {}: the study has {} runs{}", run, wanted,

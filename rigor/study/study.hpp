@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/study/crew/crew.hpp"
+#include "rigor/study/crew/journal.hpp"
 #include "rigor/study/crew/row_table.hpp"
 #include "rigor/study/kinds/strategy.hpp"
 #include "rigor/study/plan/study_reader.hpp"
@@ -16,9 +17,10 @@ namespace rigor {
 
 /// What a study will cost, foreseen from its first run.
 struct StudyCost {
-  std::uint64_t runs = 0;       ///< The most.
-  double run_time = 0;          ///< Processor time of the first run [s].
-  double disk = 0, memory = 0;  ///< Of the journal and of the table of all rows [bytes].
+  std::uint64_t runs = 0;  ///< The most.
+  double run_time = 0;     ///< Processor time of the first run [s].
+  double disk = 0,
+         memory = 0;  ///< Of the journal and of the table of all rows, which has a part in each [bytes].
 };
 
 /// A study under way or at its end.
@@ -75,7 +77,7 @@ class Study {
   std::uint64_t resumed() const { return resumed_; }
 
  private:
-  void load(const std::filesystem::path& journal);
+  void load(const std::filesystem::path& journal, bool appends);
   std::optional<RunTask> next_task(std::uint64_t wanted);
 
   StudyPlan plan_;
@@ -83,6 +85,7 @@ class Study {
   std::unique_ptr<Strategy> strategy_;
   std::uint64_t identity_ = 0, resumed_ = 0, next_ = 0;
   bool is_loaded_ = false;
+  std::unique_ptr<JournalLock> lock_;  ///< While rows may be appended.
   RowTable rows_;
   ParameterValues values_;
 };

@@ -150,6 +150,28 @@ TEST_P(EveryDrivenScheme, AServoThatIsSetWhileItRunsHasALimit) {
   EXPECT_EQ(violations_of(simulation), "");
 }
 
+TEST_P(EveryDrivenScheme, TheAuditKnowsWhatMotorsHaveDone) {
+  // Nothing but the motor acts: what it has done is the wheel's energy. At its limit all the way, and as a
+  // spring alone.
+  test::Random random(23);
+  for (int draw = 0; draw < 3; ++draw) {
+    const double most = random.uniform(0.01, 0.09), stiffness = random.uniform(0.5, 2);
+    for (const std::string& motor :
+         {fmt::format("{{position: 2, stiffness: 50, damping: 1, max_force: {}}}", most),
+          fmt::format("{{position: {{amplitude: 1, frequency: 0.2}}, stiffness: {}}}", stiffness)}) {
+      Simulation simulation(scene(wheel_with(motor), 0.004));
+      simulation.advance_to(0.6);
+      const Audit audit = simulation.audit();
+      const double rate = simulation.joint_motion("axle").rates[0];
+      const double energy = 0.5 * wheel_moment * rate * rate;
+      EXPECT_GT(energy, 1e-4);
+      // Implicit springs of sub-steps take some of it.
+      EXPECT_NEAR(audit.report.work, energy, (is_of_32_bits() ? 3e-2 : 1e-3) * energy) << motor;
+      EXPECT_NEAR(audit.report.motor_work, audit.report.work, 1e-3 * energy) << motor;
+    }
+  }
+}
+
 TEST_P(EveryDrivenScheme, ALimitedServoUnderGravityGainsNothing) {
   // A rod that a servo too weak for its weight lifts half way: what it has is what the servo gave.
   test::Random random(22);

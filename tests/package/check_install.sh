@@ -71,6 +71,12 @@ for only in OFF ON; do
   quiet cmake --build "$work/app/build-$only"
   quiet "$work/app/build-$only/app"
 done
+# All examples as a project of their own, against what the package holds.
+if [ "$mode" = package ]; then
+  quiet cmake -S "$source/examples" -B "$work/examples" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS=-O0
+  quiet cmake --build "$work/examples"
+  for example in "$source"/examples/*.cpp; do quiet "$work/examples/$(basename "$example" .cpp)"; done
+fi
 if ldd "$work/app/build-ON/app" | grep -qE 'hdf5|yaml|tbb|png'; then
   echo "the component geometry brings other libraries"; exit 1
 fi

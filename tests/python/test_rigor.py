@@ -200,6 +200,20 @@ def test_geometry():
             wrong()
 
 
+def test_shapes_are_pushed_through_a_simulation(ball):
+    sim = rigor.Simulation(ball)
+    height = sim.position("ball")[2]
+    probe = rigor.geometry.sphere(0.05)
+    # From 3 m above straight down: it meets the ball of 0.1 m when the centres are 0.15 m apart.
+    hit = sim.cast(probe, [0, 0, height + 3], [0, 0, -4])
+    assert sim.body_names[hit.body] == "ball"
+    assert hit.fraction == pytest.approx((3 - 0.15) / 4, abs=1e-9)
+    assert hit.normal == pytest.approx([0, 0, -1]) and hit.point[2] == pytest.approx(height + 0.1)
+    assert sim.cast(probe, [5, 0, height + 3], [0, 0, -1]) is None
+    assert sim.overlapping(probe, [0, 0, height + 0.12]) == [sim.body("ball")]
+    assert sim.overlapping(probe, [0, 0, height + 0.2]) == []
+
+
 def test_a_batch_has_the_same_bits_on_any_number_of_threads(wheel):
     states = []
     for threads in (1, 3):
@@ -347,6 +361,54 @@ def test_the_examples_run():
     folder = pathlib.Path(__file__).parents[2] / "examples" / "python"
     for example in sorted(folder.glob("*.py")):
         subprocess.run([sys.executable, example], check=True, capture_output=True)
+
+
+def cart_poles(count, threads=1):
+    import importlib.util
+
+    path = pathlib.Path(__file__).parents[2] / "examples" / "python" / "cart_pole.py"
+    spec = importlib.util.spec_from_file_location("cart_pole", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.CartPoles(count, threads=threads)
+
+
+def test_a_vector_environment_begins_anew_where_a_world_has_ended():
+    one, two = cart_poles(6), cart_poles(6, threads=2)
+    observation, info = one.reset(seed=3)
+    assert info == {} and one.observation_space.contains(observation)
+    assert np.array_equal(two.reset(seed=3)[0], observation)
+    ends = 0
+    for k in range(160):
+        # The first carts are pushed until their poles have fallen.
+        force = np.where(np.arange(6) < 3, 15.0, 0.0)[:, np.newaxis]
+        observation, reward, terminated, truncated, info = one.step(force)
+        assert all(np.array_equal(a, b) for a, b in zip(two.step(force)[:4], (observation, reward, terminated, truncated)))
+        assert one.observation_space.contains(observation) and reward.shape == terminated.shape == (6,)
+        for world in np.flatnonzero(terminated):
+            ends += 1
+            assert abs(info["final_obs"][world, 2]) > one.widest and info["_final_obs"][world]
+            assert abs(observation[world, 2]) < 1e-9, "a world that has ended is at its beginning"
+    assert ends >= 3
+    with pytest.raises(ValueError, match="shape"):
+        one.step(np.zeros((5, 1)))
+
+
+def test_gymnasium_takes_the_environment_for_one_of_its_own():
+    gymnasium = pytest.importorskip("gymnasium")
+    from gymnasium.wrappers.vector import ClipAction, RecordEpisodeStatistics
+
+    carts = cart_poles(4)
+    assert isinstance(carts, gymnasium.vector.VectorEnv)
+    assert isinstance(carts.single_action_space, gymnasium.spaces.Box)
+    wrapped = RecordEpisodeStatistics(ClipAction(carts))
+    wrapped.reset(seed=1)
+    wrapped.action_space.seed(1)
+    episodes = []
+    for _ in range(300):
+        *_, info = wrapped.step(wrapped.action_space.sample())
+        episodes += [info["episode"]["l"][k] for k in np.flatnonzero(info.get("_episode", []))]
+    assert len(episodes) >= 4 and min(episodes) > 1
 
 
 def test_the_page_of_the_documentation(tmp_path, monkeypatch, scenes):

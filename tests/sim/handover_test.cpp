@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/drives/driven_stepper.hpp"
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/handover/auto_stepper.hpp"
 #include "rigor/sim/make_stepper.hpp"
@@ -29,7 +30,7 @@ Method automatic() {
 
 /// A few boxes and balls that fall askew on a floor, or a row of balls that one hits. The same seed gives the
 /// same.
-std::shared_ptr<const Model> heap(unsigned seed) {
+ModelBuilder heap_builder(unsigned seed) {
   test::Random random(seed);
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
@@ -53,7 +54,7 @@ std::shared_ptr<const Model> heap(unsigned seed) {
     for (int k = 0; k < 4; ++k)
       add("ball" + std::to_string(k), Sphere{0.1}, Vec3(0.2 * k, 0, 0.1), Quat::Identity(), Vec3::Zero());
     add("striker", Sphere{0.1}, Vec3(-0.5, 0.02, 0.1), Quat::Identity(), Vec3(3, 0, 0));
-    return builder.build();
+    return builder;
   }
   for (int k = 0; k < 3; ++k) {
     const Vec3 place(0.03 * random.uniform(-1, 1), 0.03 * random.uniform(-1, 1), 0.12 + 0.26 * k);
@@ -62,7 +63,11 @@ std::shared_ptr<const Model> heap(unsigned seed) {
     const Shape shape = (seed + at(k)) % 3 == 2 ? Shape(Sphere{0.07}) : Shape(Box{Vec3(0.08, 0.06, 0.05)});
     add("body" + std::to_string(k), shape, place, turn, Vec3(0, 0, -1));
   }
-  return builder.build();
+  return builder;
+}
+
+std::shared_ptr<const Model> heap(unsigned seed) {
+  return heap_builder(seed).build();
 }
 
 std::unique_ptr<AutoStepper> auto_stepper(const std::shared_ptr<const Model>& model,
@@ -132,6 +137,76 @@ TEST(Handover, RandomHeapsKeepTheirBooksOnBothSides) {
   EXPECT_GE(to_events, 4);
 }
 
+/// The heap, and beside it a wheel whose motor and a ball whose force are functions of the time.
+std::shared_ptr<const Model> driven_heap(unsigned seed) {
+  ModelBuilder builder = heap_builder(seed);
+  const auto add = [&](const std::string& name, const Vec3& x) {
+    BodyDescription body;
+    body.name = name;
+    body.p_WU = x;
+    body.mass = 2;
+    body.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(body);
+  };
+  add("wheel", Vec3(0, 3, 1));
+  add("pushed", Vec3(0, 5, 40));
+  ModelBuilder::JointDescription axle;
+  axle.name = "axle";
+  axle.type = JointType::hinge;
+  axle.bodies = {"world", "wheel"};
+  axle.anchors = {Vec3(0, 3, 1.3)};
+  axle.axis = Vec3::UnitX();
+  axle.drives = {{.kind = JointDrive::Kind::position,
+                  .aim = TimeFunction::Sine{.amplitude = 1, .frequency = 2},
+                  .stiffness = 60,
+                  .damping = 2,
+                  .max_force = 5}};
+  builder.add_joint(axle);
+  return builder.build();
+}
+
+/// As make_stepper makes it, with the low bounds.
+std::unique_ptr<Stepper> driven_stepper(const std::shared_ptr<const Model>& model) {
+  return std::make_unique<DrivenStepper>(
+      model, step, [](const std::shared_ptr<const Model>& driven) { return auto_stepper(driven); });
+}
+
+TEST(Handover, WithinDrivenStepsTheBooksCloseAndTheBitsStay) {
+  constexpr int outputs = 30;
+  int handed_over = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::shared_ptr<const Model> model = driven_heap(seed);
+    State state = make_initial_state(*model);
+    Auditor auditor(model, automatic(), state);
+    const std::unique_ptr<Stepper> stepper = driven_stepper(model);
+    State middle;
+    for (int k = 1; k <= outputs; ++k) {
+      const AdvanceReport report = stepper->advance(state, k * interval);
+      ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
+      auditor.observe(state, report);
+      if (k == outputs / 3) middle = deserialise(serialise(state));
+    }
+    const Audit audit = auditor.audit(state);
+    EXPECT_TRUE(audit.violations.empty()) << audit.violations.front();
+    double work = 0, until = 0;
+    for (const Audit::Span& span : audit.spans) {
+      EXPECT_EQ(span.of.begin, until);
+      until = span.of.end;
+      work += span.of.work;
+      // Between two equal steps of the drives, as events come.
+      if (span.of.begin > 0 && std::abs(std::remainder(span.of.begin, step)) > 1e-9) ++handed_over;
+    }
+    EXPECT_NEAR(work, audit.report.work, 1e-12 * (1 + std::abs(work)));
+    EXPECT_GT(std::abs(audit.report.motor_work), 1e-3);
+
+    const std::unique_ptr<Stepper> fresh = driven_stepper(model);
+    for (int k = outputs / 3 + 1; k <= outputs; ++k) fresh->advance(middle, k * interval);
+    EXPECT_EQ(middle, state);
+  }
+  EXPECT_GE(handed_over, 3);
+}
+
 TEST(Handover, AFreshStepperFindsTheSameBitsAtEveryOutput) {
   std::mt19937 engine(3);
   for (const unsigned seed : {0u, 1u, 3u, 7u}) {
@@ -145,7 +220,7 @@ TEST(Handover, AFreshStepperFindsTheSameBitsAtEveryOutput) {
       SCOPED_TRACE(place);
       State state = deserialise(serialise(whole.states[place]));
       ASSERT_EQ(state, whole.states[place]);
-      Auditor auditor(model, automatic(), state, whole.audits[place]);
+      Auditor auditor(model, resolve_scheme(*model, automatic()), state, whole.audits[place]);
       const std::unique_ptr<Stepper> stepper = auto_stepper(model);
       for (std::size_t i = place + 1; i <= 30; ++i) {
         auditor.observe(state, stepper->advance(state, static_cast<double>(i) * interval));

@@ -15,9 +15,10 @@ namespace {
 using JointDescription = ModelBuilder::JointDescription;
 
 /// A body of this mass and equal moments on a joint to the world, without gravity.
-std::shared_ptr<const Model> driven(JointType type, double inertia, const JointAxis& axis) {
+std::shared_ptr<const Model> driven(JointType type, double inertia, const JointAxis& axis,
+                                    const Vec3& g_W = Vec3::Zero()) {
   ModelBuilder builder;
-  builder.set_gravity(Vec3::Zero());
+  builder.set_gravity(g_W);
   BodyDescription body;
   body.name = "body";
   body.inertia = GivenInertia{inertia, Vec3::Zero(), Vec3::Constant(inertia), Vec3::Zero()};
@@ -53,6 +54,25 @@ RunResult run(const std::shared_ptr<const Model>& model, const Method& method, d
   settings.step = settings.output_interval = 0.01;
   return run_simulation(model, method, settings, std::nullopt,
                         [](const State&, const AdvanceReport&, const Auditor&) { return true; });
+}
+
+TEST(MotorBooks, AMotorAtItsLimitUnderGravityGainsNothing) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> between(0.2, 5);
+  for (int k = 0; k < 6; ++k) {
+    const double inertia = between(random), force = between(random);
+    JointAxis axis;
+    axis.motor = JointMotor{1e3 * force / inertia, force};
+    const auto model =
+        driven(JointType::slider, inertia, axis, Vec3(between(random), 0, k % 2 == 0 ? -9.81 : 9.81));
+    for (const Method& method : all_methods()) {
+      // Steps of 0.01 s that moved by the velocity at their end would gain F g h / 2 a second.
+      const Audit audit = run(model, method, 0.5).audit;
+      EXPECT_NEAR(audit.dissipated, 0, 1e-9 * (audit.final.kinetic + std::abs(audit.report.work)))
+          << k << method_choice(method, "scheme");
+      EXPECT_TRUE(audit.violations.empty()) << audit.violations.front();
+    }
+  }
 }
 
 TEST(MotorBooks, AMotorFarFromItsSpeedDoesTheWorkOfItsForceOverThePath) {

@@ -69,6 +69,20 @@ std::uint64_t interrupted_after(int rows, const std::string& journal) {
   return study.rows().count();
 }
 
+TEST(Study, ItsJournalBelongsToOneProcess) {
+  const std::string path = temporary("locked.journal");
+  {
+    const JournalLock lock(path);
+    EXPECT_THROW(JournalLock(path, 0.1), InputError);
+    Study study(parse_study(slides, std::string(RIGOR_SOURCE_DIR) + "/scenes/studies/test.yaml"));
+    // Looking takes no lock.
+    EXPECT_EQ(study.task_of(0, path).run, 0u);
+  }
+  EXPECT_NO_THROW(JournalLock(path, 0));
+  const auto study = finished(slides, 1, {path, {}, {}});
+  EXPECT_EQ(study->run_count(), 10u);
+}
+
 TEST(Study, GoesOnWhereItWasInterruptedAndRunsNothingTwice) {
   const std::string whole = study_csv(*finished(slides)), path = temporary("resume.journal");
   EXPECT_EQ(interrupted_after(3, path), 3u);

@@ -136,10 +136,9 @@ const KeyTable* find_typed_table(const YamlNode& node, const std::string& family
     errors.add(node, whose + ": must be a mapping of keys, found " + found_text(node));
     return nullptr;
   }
-  const std::vector<std::string> types = types_of(family);
   const YamlNode::Entry* const entry = node.find("type");
   if (!entry) {
-    errors.add(node, whose + ": the key 'type' is missing" + suggestion("", types));
+    errors.add(node, whose + ": the key 'type' is missing" + suggestion("", types_of(family)));
     return nullptr;
   }
   const YamlNode& type = *entry->value;
@@ -147,10 +146,11 @@ const KeyTable* find_typed_table(const YamlNode& node, const std::string& family
     errors.add(type, whose + ": type must be a text, found " + found_text(type));
     return nullptr;
   }
-  for (const std::string& known : types) {
-    if (type.text == known) return &key_table(known);
+  for (const KeyTable& table : key_tables()) {
+    if (table.family == family && table.object == type.text) return &table;
   }
-  errors.add(type, whose + ": unknown type " + quoted_text(type.text) + suggestion(type.text, types));
+  errors.add(type,
+             whose + ": unknown type " + quoted_text(type.text) + suggestion(type.text, types_of(family)));
   return nullptr;
 }
 

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/io/files/json_text.hpp"
 #include "rigor/io/files/version.hpp"
+#include "rigor/io/trajectory/audit_tree.hpp"
 #include "rigor/sim/method/method_use.hpp"
 
 #include <fmt/format.h>
@@ -108,6 +109,10 @@ Json bodies_json(const Audit& audit) {
 }  // namespace
 
 std::string audit_json(const Audit& audit) {
+  return json_text(audit_tree(audit));
+}
+
+Json audit_tree(const Audit& audit) {
   const AdvanceReport& report = audit.report;
   Json json;
   json["rigor"] = version;
@@ -147,7 +152,7 @@ std::string audit_json(const Audit& audit) {
   json["warnings"] = warnings_json(audit);
   json["bodies"] = bodies_json(audit);
   if (!audit.joints.empty()) json["joints"] = joints_json(audit);
-  return json_text(json);
+  return json;
 }
 
 }  // namespace rigor

@@ -7,7 +7,6 @@
 #include "rigor/sim/audit/contact_snapshot.hpp"
 #include "rigor/sim/audit/promises_of.hpp"
 #include "rigor/sim/method/method_use.hpp"
-#include "rigor/sim/method/scheme_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -46,22 +45,24 @@ bool Audit::uses(std::string_view key) const {
 }
 
 Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
+    : Auditor(model, resolve_scheme(*model, method), start) {}
+
+Auditor::Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& start)
     : model_(std::move(model)),
+      method_(choice.method),
+      scheme_reason_(choice.scheme_reason),
       environment_(std::make_shared<const Environment>(*model_)),
       start_time_(start.t),
       time_(start.t) {
-  ResolvedMethod resolved = resolve_scheme(*model_, method);
-  method_ = resolved.method;
-  scheme_reason_ = std::move(resolved.scheme_reason);
   promises_ = promises_of(*model_, method_);
   initial_ = energy_ = mechanical_energy(*model_, *environment_, start);
   lowest_ = lowest_of_span_ = initial_.total();
   observe(start, {});
 }
 
-Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& state,
+Auditor::Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& state,
                  const Audit& earlier)
-    : Auditor(std::move(model), method, state) {
+    : Auditor(std::move(model), choice, state) {
   start_time_ = earlier.books.start_time;
   initial_ = earlier.initial;
   sum_ = earlier.report;

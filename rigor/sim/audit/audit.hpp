@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/model/state.hpp"
-#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 #include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/report/scheme_promises.hpp"
@@ -112,8 +112,11 @@ class Auditor {
  public:
   /// Begins at this state.
   Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
+  /// The same, with the scheme that `auto` stands for.
+  Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& start);
   /// Goes on where an earlier audit of the same scene ended, at this state.
-  Auditor(std::shared_ptr<const Model> model, const Method& method, const State& state, const Audit& earlier);
+  Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& state,
+          const Audit& earlier);
 
   /// Enters the state after an advance and what its report says.
   void observe(const State& state, const AdvanceReport& report);
@@ -127,6 +130,8 @@ class Auditor {
   const Energy& energy() const { return energy_; }
   /// Its largest unexplained rise so far [J].
   double max_increase() const { return max_increase_; }
+  /// The forces of the model that is audited.
+  const Environment& environment() const { return *environment_; }
 
  private:
   /// The balance of the energy at an output, or where one scheme hands over to another.

@@ -40,6 +40,12 @@ double mobility(const Model& model, const State& state, int body, const Vec6& J)
   return J.head<3>().squaredNorm() / own.mass + in_body.cwiseProduct(in_body).dot(own.moments.cwiseInverse());
 }
 
+JointCoordinate coordinate_of(const Model& model, const State& state, const JointDrive& drive) {
+  const Joint& joint = model.joint(drive.joint);
+  return joint_coordinate(joint, drive.coordinate, motion_of_body(model, state, joint.body_A),
+                          motion_of_body(model, state, joint.body_B));
+}
+
 /// The law of a coordinate, and an effort along it.
 struct ServoLaw {
   JointAxis axis;
@@ -61,9 +67,7 @@ ServoLaw law_of_servo(const Model& model, const State& state, const JointDrive& 
   if (std::isinf(drive.max_force)) return spring();
 
   // The force of the spring as far as the present rate stretches it by the end.
-  const JointCoordinate now =
-      joint_coordinate(joint, drive.coordinate, motion_of_body(model, state, joint.body_A),
-                       motion_of_body(model, state, joint.body_B));
+  const JointCoordinate now = coordinate_of(model, state, drive);
   const double stretch = is_turning ? std::remainder(aim - now.value, turn) : aim - now.value;
   const double per_rate = drive.damping + h * drive.stiffness;
   const double force = drive.stiffness * stretch - per_rate * now.rate;
@@ -116,6 +120,13 @@ DrivenLaws driven_laws(const Model& model, const State& state, double t_end) {
   for (const ForceDrive& drive : model.drives().forces)
     laws.factors.push_back(drive.factor.mean(state.t, t_end));
   return laws;
+}
+
+std::vector<double> driven_coordinates(const Model& model, const State& state) {
+  std::vector<double> coordinates;
+  for (const JointDrive& drive : model.drives().joints)
+    coordinates.push_back(coordinate_of(model, state, drive).value);
+  return coordinates;
 }
 
 std::shared_ptr<const Model> driven_model(const Model& model, const DrivenLaws& laws) {

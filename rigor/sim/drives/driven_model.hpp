@@ -22,6 +22,9 @@ bool are_same(const DrivenLaws& a, const DrivenLaws& b);
 /// that force, or a motor where it would overshoot.
 DrivenLaws driven_laws(const Model& model, const State& state, double t_end);
 
+/// The coordinates of the drives of joints, in their order [rad] or [m].
+std::vector<double> driven_coordinates(const Model& model, const State& state);
+
 /// The model under these laws, without drives. Throws InputError where a function has left what is allowed.
 std::shared_ptr<const Model> driven_model(const Model& model, const DrivenLaws& laws);
 

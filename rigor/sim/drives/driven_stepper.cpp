@@ -6,6 +6,8 @@
 #include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/report/energy.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace rigor {
@@ -42,11 +44,25 @@ double DrivenStepper::time_rounding() const {
   return FixedSteps::rounding * target_step_;
 }
 
-/// Gravity, steady forces and springs of the model under its laws, beyond those of the model itself [J].
-double DrivenStepper::driven_energy(const State& state) const {
+/// Gravity, steady forces and springs of the model under its laws, beyond those of the model itself.
+Energy DrivenStepper::driven_energy(const State& state) const {
   const Energy driven = mechanical_energy(*driven_, *driven_environment_, state);
   const Energy own = mechanical_energy(*model_, environment_, state);
-  return (driven.potential - own.potential) + (driven.elastic - own.elastic);
+  return {
+      .kinetic = 0, .potential = driven.potential - own.potential, .elastic = driven.elastic - own.elastic};
+}
+
+/// What efforts along coordinates have done since these were so [J].
+double DrivenStepper::work_of_efforts(const std::vector<double>& before, const State& after) const {
+  double work = 0;
+  const std::vector<double> now = driven_coordinates(*model_, after);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const JointDrive& drive = model_->drives().joints[i];
+    const bool turns = is_periodic(model_->joint(drive.joint).type, drive.coordinate);
+    const double moved = now[i] - before[i];
+    work += laws_->efforts[i] * (turns ? std::remainder(moved, 2 * std::numbers::pi) : moved);
+  }
+  return work;
 }
 
 /// Goes on under the laws of the step that ends then. Bodies are anchored in every step, whether the laws
@@ -67,10 +83,14 @@ void DrivenStepper::follow(State& state, double t_end) {
 
 /// Takes the step as far as t, and books what the drives give: what the scheme takes for a potential.
 AdvanceReport DrivenStepper::booked_step(State& state, double t_end, double t) {
-  const double before = driven_energy(state);
+  const Energy at_begin = driven_energy(state);
+  const std::vector<double> coordinates = driven_coordinates(*model_, state);
   AdvanceReport report = t < t_end ? inner_->look(state, t_end, t) : inner_->advance(state, t_end);
-  const double after = driven_energy(state);
+  const Energy at_end = driven_energy(state);
+  const double before = at_begin.total(), after = at_end.total();
   report.work -= after - before;
+  // Springs in place of servos are the only ones that the model itself does not have.
+  report.motor_work += work_of_efforts(coordinates, state) - (at_end.elastic - at_begin.elastic);
   // Parts of `auto` are told in the energies of the model itself. Where it hands over within the step, all
   // that the drives gave in it is booked to its last part.
   for (SchemeSpan& span : report.spans) span.energy -= before;

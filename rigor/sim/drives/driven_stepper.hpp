@@ -3,6 +3,7 @@
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/sim/drives/driven_model.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <functional>
 #include <memory>
@@ -36,7 +37,8 @@ class DrivenStepper : public Stepper {
   AdvanceReport pass(State& state, double t_end, double t_look);
   void follow(State& state, double t_end);
   AdvanceReport booked_step(State& state, double t_end, double t);
-  double driven_energy(const State& state) const;
+  Energy driven_energy(const State& state) const;
+  double work_of_efforts(const std::vector<double>& before, const State& after) const;
 
   std::shared_ptr<const Model> model_;
   Environment environment_;

@@ -1,7 +1,6 @@
 #include "rigor/sim/handover/auto_stepper.hpp"
 
 #include "rigor/core/assert.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/report/energy.hpp"
 
 #include <fmt/format.h>
@@ -41,14 +40,21 @@ AutoStepper::AutoStepper(std::shared_ptr<const Model> model, std::unique_ptr<Eve
     : model_(std::move(model)),
       environment_(*model_),
       events_(std::move(events)),
-      steps_(model_, method, target_step, threads),
+      method_of_steps_(method),
       scheme_of_events_(scheme_of_events),
       target_step_(target_step),
+      threads_(threads),
       bounds_(bounds) {
   RIGOR_ASSERT(target_step > 0);
-  const auto interrupt = [this] { return is_interrupted(); };
-  events_->set_interrupt(interrupt);
-  steps_.set_interrupt(interrupt);
+  events_->set_interrupt([this] { return is_interrupted(); });
+}
+
+TimeStepper& AutoStepper::steps() {
+  if (!steps_) {
+    steps_ = std::make_unique<TimeStepper>(model_, method_of_steps_, target_step_, threads_);
+    steps_->set_interrupt([this] { return is_interrupted(); });
+  }
+  return *steps_;
 }
 
 AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
@@ -59,8 +65,7 @@ AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
   t_ = state.t;
   AdvanceReport report;
   const auto left = [&] { return t_look - t_; };
-  while (report.reason == StopReason::reached_end &&
-         left() > (memory_.is_in_steps ? steps_.time_rounding() : 0)) {
+  while (report.reason == StopReason::reached_end && left() > (memory_.is_in_steps ? time_rounding() : 0)) {
     report.add(memory_.is_in_steps ? go_by_steps(state, t_end, t_look) : go_by_events(state, t_look));
     t_ = state.t;
   }
@@ -114,9 +119,9 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
 
 AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look) {
   const double begin = state.t, end = end_of_steps(begin, t_end, target_step_);
-  last_ = &steps_;
+  last_ = &steps();
   AdvanceReport report =
-      end > t_look + steps_.time_rounding() ? steps_.look(state, end, t_look) : steps_.advance(state, end);
+      end > t_look + time_rounding() ? steps().look(state, end, t_look) : steps().advance(state, end);
   if (leaves_nothing(report.reason)) return report;
 
   // What events would owe: each costs what an impact did when steps took over.

@@ -2,6 +2,7 @@
 
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
@@ -36,7 +37,7 @@ class AutoStepper : public Stepper {
   AutoStepper(std::shared_ptr<const Model> model, std::unique_ptr<EventDrivenStepper> events,
               const Method& method, Scheme scheme_of_events, double target_step, int threads = 1,
               const HandoverBounds& bounds = {});
-  double time_rounding() const override { return steps_.time_rounding(); }
+  double time_rounding() const override { return FixedSteps::rounding * target_step_; }
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
     return last_ ? last_->contacts_of(state) : std::nullopt;
   }
@@ -50,15 +51,18 @@ class AutoStepper : public Stepper {
   AdvanceReport pass(State& state, double t_end, double t_look);
   AdvanceReport go_by_events(State& state, double t_end);
   AdvanceReport go_by_steps(State& state, double t_end, double t_look);
+  TimeStepper& steps();
   void enter_span(Scheme scheme, double begin, const State& state, std::string end_cause,
                   AdvanceReport& report) const;
 
   std::shared_ptr<const Model> model_;
   Environment environment_;
   std::unique_ptr<EventDrivenStepper> events_;
-  TimeStepper steps_;
+  std::unique_ptr<TimeStepper> steps_;  ///< Made where events first hand over: most runs never do.
+  Method method_of_steps_;
   Scheme scheme_of_events_;
   double target_step_;
+  int threads_;
   HandoverBounds bounds_;
   HandoverMemory memory_;          ///< Of the State, while its schemes are at work.
   const Stepper* last_ = nullptr;  ///< Which scheme has left the State.

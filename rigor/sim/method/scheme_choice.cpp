@@ -254,13 +254,16 @@ SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefus
 }
 
 std::vector<Scheme> all_schemes() {
-  std::vector<Scheme> schemes;
-  for (const std::string& name : method_values("scheme")) {
-    Method method;
-    set_method_choice("scheme", name, method);
-    if (method.scheme != Scheme::automatic) schemes.push_back(method.scheme);
-  }
-  return schemes;
+  static const std::vector<Scheme> known = [] {
+    std::vector<Scheme> schemes;
+    for (const std::string& name : method_values("scheme")) {
+      Method method;
+      set_method_choice("scheme", name, method);
+      if (method.scheme != Scheme::automatic) schemes.push_back(method.scheme);
+    }
+    return schemes;
+  }();
+  return known;
 }
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {

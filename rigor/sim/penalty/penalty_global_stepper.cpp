@@ -99,7 +99,7 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
   const VecX u_after = relative_velocities(touching_.system);
   note_contact_work(lambda, 0.5 * (u_free + u_after));
   move_springs((1 - theta) * u_before + theta * u_after, lambda, h);
-  move(before, flown, lambda, {h, theta});
+  move(before, flown, lambda, {h, theta, limited_impulses(lambda, h)});
   if (is_split) project_joints(t_next);
   if (note_not_finite()) return;
 
@@ -178,6 +178,26 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
   note_kick(kick, before, VecX::Zero(lambda.size()));
 }
 
+/// The impulses on all bodies of the motors and the friction of joints that are at their limits, with what
+/// joints answer. Such forces are constant through the step, and bodies move by half of what they give: along
+/// the whole of it, gravity would give F g h / 2 a second to who moves under the force F.
+std::vector<Wrench> GlobalPenaltyStepper::limited_impulses(const VecX& lambda, double h) const {
+  constexpr double rounding = 1e-9;
+  const ContactSystem& system = touching_.system;
+  if (!system.joints) return {};
+  VecX limited = VecX::Zero(lambda.size());
+  for (std::size_t i = 0; i < touching_.springs.size(); ++i) {
+    const Eigen::Index row = row_of(i);
+    const bool is_at_limit = system.contacts[i].is_bounded_force() &&
+                             lambda.segment<2>(row).norm() >= (1 - rounding) * h * system.rows[i].load;
+    if (is_at_limit) limited.segment<2>(row) = lambda.segment<2>(row);
+  }
+  if (limited.isZero(0)) return std::vector<Wrench>(system.bodies.size());
+  return with_joint_impulses(system, contact_wrenches(system, limited),
+                             VecX::Zero(system.joints->rate_errors().size()))
+      .wrenches;
+}
+
 /// Gives bodies whose own forces act in closed form the momenta that these leave them after h, and returns
 /// where they are then.
 std::vector<BodyPhase> GlobalPenaltyStepper::flow_all(double h) {
@@ -210,14 +230,20 @@ void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const std:
     // Between two half kicks the velocity is the mean already.
     const double own = is_split || is_pushed[at(body)] ? (is_split ? 1 : theta) : 0.5;
     BodyPhase& phase = phases_[i];
+    Wrench half;
+    if (is_split) {
+      const Wrench& steady = span.steady[at(touching_.system.local_index(body))];
+      half = {0.5 * steady.f_W, 0.5 * steady.tau_W};
+    }
     if (flows_[i]) {
       // The flow, and what other impulses add to it.
-      const Vec3 dP = phase.P - flown[i].P, dL = phase.L - flown[i].L;
+      const Vec3 dP = phase.P - half.f_W - flown[i].P, dL = phase.L - half.tau_W - flown[i].L;
       phase.x = flown[i].x + own * h / B.mass * dP;
       phase.q = FreeRotation(B.moments, flown[i].q, own * dL).orientation(h);
       continue;
     }
-    const Vec3 P = (1 - own) * before[i].P + own * phase.P, L = (1 - own) * before[i].L + own * phase.L;
+    const Vec3 P = (1 - own) * before[i].P + own * phase.P - half.f_W,
+               L = (1 - own) * before[i].L + own * phase.L - half.tau_W;
     phase.q = FreeRotation(B.moments, phase.q, L).orientation(h);
     phase.x += h / B.mass * P;
   }

@@ -31,7 +31,9 @@ class GlobalPenaltyStepper : public PenaltyStepper {
   void apply_contacts(const VecX& lambda, double h);
   struct Span {
     double h, theta;
+    std::vector<Wrench> steady;  ///< What limited_impulses() says; with joints only.
   };
+  std::vector<Wrench> limited_impulses(const VecX& lambda, double h) const;
   std::vector<BodyPhase> flow_all(double h);
   void move(const std::vector<BodyPhase>& before, const std::vector<BodyPhase>& flown, const VecX& lambda,
             const Span& span);

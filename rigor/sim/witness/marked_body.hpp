@@ -19,7 +19,8 @@ struct Marker {
 
 /// What the witness knows of the shapes of a body.
 struct MarkedBody {
-  explicit MarkedBody(const std::vector<BodyShape>& shapes);
+  /// is_followed: it has markers; else enclosures alone.
+  explicit MarkedBody(const std::vector<BodyShape>& shapes, bool is_followed = true);
   /// Those of one shape.
   std::span<const Marker> markers_of(int shape) const {
     return std::span(markers).subspan(first_marker[at(shape)],
@@ -33,7 +34,8 @@ struct MarkedBody {
   double turning = 0;  ///< Rotations by θ move no marker and no enclosure by more than θ times this [m].
 };
 
-/// The marked bodies of a Model; those with the same shapes are the same.
+/// The marked bodies of a Model; those with the same shapes are the same. Without marks if no two of them can
+/// touch.
 std::vector<std::shared_ptr<const MarkedBody>> mark_bodies(const Model& model);
 
 }  // namespace rigor

@@ -29,9 +29,13 @@ bool are_finite(const std::vector<double>& values) {
 }  // namespace
 
 PassageWitness::PassageWitness(std::shared_ptr<const Model> model)
-    : model_(std::move(model)), environment_(*model_), marked_(mark_bodies(*model_)) {}
+    : model_(std::move(model)),
+      marked_(mark_bodies(*model_)),
+      follows_anything_(std::any_of(marked_.begin(), marked_.end(),
+                                    [](const auto& body) { return !body->markers.empty(); })) {}
 
 void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
+  if (!follows_anything_) return;
   watch_boxes(paths);
 
   // The tree is made anew now and then: it gets worse the farther the boxes move.
@@ -80,8 +84,10 @@ void PassageWitness::watch_boxes(std::span<const BodyPath> paths) {
 }
 
 void PassageWitness::begin(const State& state) {
+  if (!follows_anything_) return;
   if (!pairs_) {
-    moves_.emplace(*model_, environment_, marked_);
+    environment_ = std::make_unique<Environment>(*model_);
+    moves_.emplace(*model_, *environment_, marked_);
     pairs_.emplace(model_, marked_);
   } else {
     for (int i = 0; i < model_->body_count(); ++i) {
@@ -99,6 +105,7 @@ void PassageWitness::remember(const State& state) {
 }
 
 void PassageWitness::watch(const State& after, AdvanceReport& report) {
+  if (!follows_anything_) return;
   // What is not finite stops the run by itself.
   if (!(after.t > before_.t) || !are_finite(after.x) || !are_finite(after.q) || !are_finite(after.P) ||
       !are_finite(after.L))
@@ -108,7 +115,7 @@ void PassageWitness::watch(const State& after, AdvanceReport& report) {
   std::map<int, BodyPath> paths;
   const auto path_of = [&](int body) -> const BodyPath& {
     BodyPath& path = paths[body];
-    if (path.empty()) path.push_back(step_way(*model_, environment_, body, before_, after));
+    if (path.empty()) path.push_back(step_way(*model_, *environment_, body, before_, after));
     return path;
   };
   // In the order of the bodies whose markers are followed.

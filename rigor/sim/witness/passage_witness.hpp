@@ -46,8 +46,8 @@ class PassageWitness {
   std::optional<double> entry_of(int a, const Solid& solid, const BodyPath& of_a, const BodyPath& of_b) const;
 
   std::shared_ptr<const Model> model_;
-  Environment environment_;
   std::vector<std::shared_ptr<const MarkedBody>> marked_;  ///< By body.
+  bool follows_anything_;                                  ///< Some body has markers.
   // Of paths:
   std::vector<Solid> solid_of_;     ///< All shapes, body by body.
   std::vector<Aabb> marker_boxes_;  ///< Boxes that hold the markers of each body,
@@ -55,8 +55,9 @@ class PassageWitness {
   AabbTree tree_;                   ///< Of solid_boxes_.
   long watches_ = 0;
   // Of steps:
-  State before_;                    ///< Where the last step ended: t, x, q, P and L.
-  std::optional<StepMoves> moves_;  ///< Made at the first step.
+  State before_;                              ///< Where the last step ended: t, x, q, P and L.
+  std::unique_ptr<Environment> environment_;  ///< This and the next are made at the first step.
+  std::optional<StepMoves> moves_;
   std::optional<WatchedPairs> pairs_;
 };
 

@@ -36,7 +36,7 @@ std::vector<double> finite(const std::vector<double>& values) {
 Drawing histogram_drawing(const StudyColumns& columns, const std::string& name) {
   std::vector<double> values = finite(column_named(columns, name));
   if (values.empty()) throw InputError("no run has a finite " + quoted_text(name));
-  return figure_drawing(histogram(name, std::move(values)));
+  return figure_drawing(histogram(name, sample_of(values), sample_summary(sample_of(values))));
 }
 
 /// One column over another: where several runs share their x each time, means with their intervals; else a

@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <thread>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace rigor {
@@ -153,6 +156,27 @@ void Journal::append(const RunRow& row) {
   const std::string bytes = framed(row_bytes(row));
   const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
   if (written != static_cast<ssize_t>(bytes.size())) throw write_error(path_, written < 0 ? errno : ENOSPC);
+}
+
+JournalLock::JournalLock(const std::filesystem::path& path, double wait)
+    : descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) throw write_error(path, errno);
+  constexpr double pause = 0.05;
+  for (double waited = 0;; waited += pause) {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    // Some file systems of networks have no locks.
+    if (errno != EWOULDBLOCK) return;
+    if (waited >= wait) break;
+    std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+  }
+  ::close(descriptor_);
+  throw InputError(
+      path.string() +
+      ": is the journal of a study that another process carries out; give another with --journal");
+}
+
+JournalLock::~JournalLock() {
+  ::close(descriptor_);
 }
 
 std::uint64_t read_journal(const std::filesystem::path& path, std::uint64_t identity, RowTable& table) {

@@ -31,6 +31,21 @@ class Journal {
   int descriptor_ = -1;
 };
 
+/// Keeps the journal of a study to one process, as long as this object lives or the process does: two that
+/// append would write over each other.
+class JournalLock {
+ public:
+  /// Makes the file if it is not there, and waits so long [s] for a process that ends. Throws FileError if
+  /// the file cannot be written, InputError if another process has it all the time.
+  explicit JournalLock(const std::filesystem::path& path, double wait = 10);
+  JournalLock(const JournalLock&) = delete;
+  JournalLock& operator=(const JournalLock&) = delete;
+  ~JournalLock();
+
+ private:
+  int descriptor_;
+};
+
 /// Enters the rows of a journal into the table; the number of them. A file that is not there has none. Throws
 /// InputError if it belongs to another study, FileError if it cannot be read.
 std::uint64_t read_journal(const std::filesystem::path& path, std::uint64_t identity, RowTable& table);

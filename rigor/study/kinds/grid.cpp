@@ -55,13 +55,18 @@ std::vector<double> random_point(const StudyPlan& plan, std::uint64_t run) {
 std::vector<double> outcome_values(const RowTable& known, std::size_t outcome, std::uint64_t first,
                                    std::uint64_t last) {
   std::vector<double> values;
-  values.reserve(last - first);
-  for (std::uint64_t run = first; run < last; ++run) {
-    if (!known.has(run) || !known.is_complete(run)) continue;
-    const double value = known.value(run, outcome);
-    if (!std::isnan(value)) values.push_back(value);
-  }
+  outcome_sample(known, outcome, first, last)([&](double value) { values.push_back(value); });
   return values;
+}
+
+Sample outcome_sample(const RowTable& known, std::size_t outcome, std::uint64_t first, std::uint64_t last) {
+  return [&known, outcome, first, last](const std::function<void(double)>& visit) {
+    for (std::uint64_t run = first; run < last; ++run) {
+      if (!known.has(run) || !known.is_complete(run)) continue;
+      const double value = known.value(run, outcome);
+      if (!std::isnan(value)) visit(value);
+    }
+  };
 }
 
 void add_warnings(const RowTable& known, StudyAnswer& answer) {
@@ -80,15 +85,16 @@ void add_warnings(const RowTable& known, StudyAnswer& answer) {
   }
 }
 
-AnswerFigure histogram(const std::string& name, std::vector<double> values) {
+AnswerFigure histogram(const std::string& name, const Sample& sample, const SampleSummary& summary) {
   AnswerFigure figure{AnswerFigure::Kind::columns, name, name, "runs", {}, {}, {}, {}};
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double begin = *low, width = *high > *low ? *high - *low : 1;
+  const double begin = summary.smallest;
+  const double width = summary.largest > begin ? summary.largest - begin : 1;
   // Bins as many as the cube root of the sample suggests (Rice's rule).
-  const double bins = std::clamp(std::ceil(2 * std::cbrt(static_cast<double>(values.size()))), 5.0, 60.0);
+  const double bins = std::clamp(std::ceil(2 * std::cbrt(static_cast<double>(summary.count))), 5.0, 60.0);
   figure.y.assign(static_cast<std::size_t>(bins), 0);
-  for (const double value : values)
+  sample([&](double value) {
     figure.y[static_cast<std::size_t>(std::min(bins - 1, std::floor((value - begin) / width * bins)))] += 1;
+  });
   for (double i = 0; i < bins; ++i) {
     figure.x.push_back(begin + width * i / bins);
     figure.low.push_back(begin + width * (i + 1) / bins);

@@ -2,6 +2,7 @@
 
 #include "rigor/study/crew/row_table.hpp"
 #include "rigor/study/kinds/answer.hpp"
+#include "rigor/study/kinds/statistics.hpp"
 #include "rigor/study/plan/study_plan.hpp"
 
 #include <cstdint>
@@ -40,10 +41,13 @@ std::vector<double> random_point(const StudyPlan& plan, std::uint64_t run);
 std::vector<double> outcome_values(const RowTable& known, std::size_t outcome, std::uint64_t first,
                                    std::uint64_t last);
 
+/// The same without holding them; known must outlive it.
+Sample outcome_sample(const RowTable& known, std::size_t outcome, std::uint64_t first, std::uint64_t last);
+
 /// Warns of runs that failed or whose audit was violated.
 void add_warnings(const RowTable& known, StudyAnswer& answer);
 
 /// A histogram of the values; they are not empty and finite.
-AnswerFigure histogram(const std::string& name, std::vector<double> values);
+AnswerFigure histogram(const std::string& name, const Sample& sample, const SampleSummary& summary);
 
 }  // namespace rigor

@@ -53,19 +53,15 @@ class MonteCarlo : public Strategy {
     AnswerTable table{
         "distributions", {"mean", "low", "high", "deviation", "smallest", "median", "largest", "runs"}, {}};
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      std::vector<double> values = outcome_values(known, k, 0, used(known));
+      const Sample sample = outcome_sample(known, k, 0, used(known));
       const Estimate mean = estimate(known, k, used(known));
       answer.findings.push_back({columns_[k], mean.value, mean.low, mean.high});
-      if (values.empty()) continue;
-      double squares = 0;
-      for (const double value : values) squares += (value - mean.value) * (value - mean.value);
-      const double n = static_cast<double>(values.size());
-      std::sort(values.begin(), values.end());
+      const SampleSummary summary = sample_summary(sample);
+      if (summary.count == 0) continue;
       table.labels.push_back(columns_[k]);
-      table.rows.push_back({mean.value, mean.low, mean.high, std::sqrt(squares / std::max(1.0, n - 1)),
-                            quantile(values, 0), quantile(values, 0.5), quantile(values, 1), n});
-      if (std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
-        answer.figures.push_back(histogram(columns_[k], std::move(values)));
+      table.rows.push_back({mean.value, mean.low, mean.high, summary.deviation, summary.smallest,
+                            summary.median, summary.largest, static_cast<double>(summary.count)});
+      if (summary.is_finite) answer.figures.push_back(histogram(columns_[k], sample, summary));
     }
     answer.tables.push_back(std::move(table));
     if (plan_.half_width && !is_met_ && known.prefix() >= most_)
@@ -94,7 +90,7 @@ class MonteCarlo : public Strategy {
 
   Estimate estimate(const RowTable& known, std::size_t outcome, std::uint64_t runs) const {
     if (plan_.sampling == Sampling::random)
-      return mean_estimate(outcome_values(known, outcome, 0, runs), plan_.confidence);
+      return mean_estimate(outcome_sample(known, outcome, 0, runs), plan_.confidence);
     std::vector<double> sums(replicates, 0), counts(replicates, 0), means;
     for (std::uint64_t run = 0; run < runs; ++run) {
       if (!known.is_complete(run) || std::isnan(known.value(run, outcome))) continue;
@@ -106,7 +102,7 @@ class MonteCarlo : public Strategy {
     }
     // Means of replicates are 0 or 1 by chance only, so they are no shares of their own.
     if (std::all_of(means.begin(), means.end(), [](double m) { return m == 0 || m == 1; }))
-      return mean_estimate(outcome_values(known, outcome, 0, runs), plan_.confidence);
+      return mean_estimate(outcome_sample(known, outcome, 0, runs), plan_.confidence);
     return mean_estimate(means, plan_.confidence);
   }
 

@@ -37,30 +37,25 @@ class Sensitivity : public FactorStrategy {
   }
 
  private:
-  /// First-order indices, then total ones, of these base points.
-  std::vector<double> indices(const RowTable& known, std::size_t outcome,
-                              const std::vector<std::uint64_t>& bases,
+  /// First-order indices, then total ones, of these base points; values: of the runs of all of them.
+  std::vector<double> indices(const std::vector<double>& values,
                               std::span<const std::uint64_t> chosen) const {
     const double n = static_cast<double>(chosen.size());
     double sum = 0, squares = 0;
     for (const std::uint64_t i : chosen) {
-      const double f_A = known.value(bases[i] * stride(), outcome),
-                   f_B = known.value(bases[i] * stride() + 1, outcome);
-      sum += f_A + f_B;
+      sum += values[i * stride()] + values[i * stride() + 1];
     }
     const double mean = sum / (2 * n);
     for (const std::uint64_t i : chosen) {
-      for (std::uint64_t k = 0; k < 2; ++k)
-        squares += std::pow(known.value(bases[i] * stride() + k, outcome) - mean, 2);
+      for (std::uint64_t k = 0; k < 2; ++k) squares += std::pow(values[i * stride() + k] - mean, 2);
     }
     const double variance = squares / (2 * n);
     std::vector<double> first, total;
     for (std::size_t factor = 0; factor < factors().size(); ++factor) {
       double alone = 0, with_others = 0;
       for (const std::uint64_t i : chosen) {
-        const std::uint64_t run = bases[i] * stride();
-        const double f_A = known.value(run, outcome), f_B = known.value(run + 1, outcome),
-                     f_AB = known.value(run + 2 + factor, outcome);
+        const double* const of_base = &values[i * stride()];
+        const double f_A = of_base[0], f_B = of_base[1], f_AB = of_base[2 + factor];
         // Values about the mean have the same indices and less rounding and scatter.
         alone += (f_B - mean) * (f_AB - f_A);
         with_others += (f_A - f_AB) * (f_A - f_AB);
@@ -75,9 +70,14 @@ class Sensitivity : public FactorStrategy {
   void add_outcome(const RowTable& known, std::size_t outcome, StudyAnswer& answer) const override {
     const std::vector<std::uint64_t> bases = complete_groups(known, outcome);
     if (bases.size() < 2) return;
+    // Resampling goes to and fro among them: they are held.
+    std::vector<double> values;
+    for (const std::uint64_t base : bases) {
+      for (std::uint64_t k = 0; k < stride(); ++k)
+        values.push_back(known.value(base * stride() + k, outcome));
+    }
     const std::vector<Estimate> estimates = bootstrap(
-        bases.size(),
-        [&](std::span<const std::uint64_t> chosen) { return indices(known, outcome, bases, chosen); },
+        bases.size(), [&](std::span<const std::uint64_t> chosen) { return indices(values, chosen); },
         {plan().seed, plan().confidence, 200});
     AnswerTable table{
         "Sobol indices of " + column(outcome), {"first", "low", "high", "total", "low", "high"}, {}};

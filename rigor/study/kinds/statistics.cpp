@@ -7,6 +7,8 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -22,20 +24,88 @@ Estimate share_estimate(double share, double n, double confidence) {
   return {share, std::max(0.0, middle - half), std::min(1.0, middle + half)};
 }
 
+double sum_of_squares(const Sample& sample, double mean) {
+  double squares = 0;
+  sample([&](double value) { squares += (value - mean) * (value - mean); });
+  return squares;
+}
+
+/// The bits of a number as one that has the same order.
+std::uint64_t ordered_bits(double value) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value), sign = std::uint64_t{1} << 63;
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+double value_of_ordered_bits(std::uint64_t bits) {
+  const std::uint64_t sign = std::uint64_t{1} << 63;
+  return std::bit_cast<double>((bits & sign) != 0 ? bits & ~sign : ~bits);
+}
+
+/// The value before which `rank` others come: its bits from the first to the last, a digit of 16 of them at a
+/// time, by how many values share the digits that are known and have each next one.
+double order_statistic(const Sample& sample, std::uint64_t rank) {
+  constexpr int digit_bits = 16;
+  std::vector<std::uint64_t> counts(std::size_t{1} << digit_bits);
+  std::uint64_t known = 0;
+  for (int shift = 64 - digit_bits; shift >= 0; shift -= digit_bits) {
+    std::fill(counts.begin(), counts.end(), 0);
+    sample([&](double value) {
+      const std::uint64_t digits = ordered_bits(value) >> shift;
+      if (digits >> digit_bits == known) ++counts[digits % counts.size()];
+    });
+    std::uint64_t digit = 0;
+    for (; rank >= counts[digit]; ++digit) rank -= counts[digit];
+    known = known << digit_bits | digit;
+  }
+  return value_of_ordered_bits(known);
+}
+
 }  // namespace
 
+Sample sample_of(std::span<const double> values) {
+  return [values](const std::function<void(double)>& visit) {
+    for (const double value : values) visit(value);
+  };
+}
+
 Estimate mean_estimate(std::span<const double> values, double confidence) {
-  const double n = static_cast<double>(values.size());
-  if (values.empty()) return {std::nan(""), -kInfinity, kInfinity};
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  const bool is_share = std::all_of(values.begin(), values.end(), [](double v) { return v == 0 || v == 1; });
+  return mean_estimate(sample_of(values), confidence);
+}
+
+Estimate mean_estimate(const Sample& sample, double confidence) {
+  double n = 0, sum = 0;
+  bool is_share = true;
+  sample([&](double value) {
+    n += 1;
+    sum += value;
+    is_share = is_share && (value == 0 || value == 1);
+  });
+  if (n == 0) return {std::nan(""), -kInfinity, kInfinity};
+  const double mean = sum / n;
   if (is_share) return share_estimate(mean, n, confidence);
-  if (values.size() < 2) return {mean, -kInfinity, kInfinity};
-  double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
+  if (n < 2) return {mean, -kInfinity, kInfinity};
   const double t = student_quantile(0.5 + 0.5 * confidence, n - 1);
-  const double half = t * std::sqrt(squares / (n - 1) / n);
+  const double half = t * std::sqrt(sum_of_squares(sample, mean) / (n - 1) / n);
   return {mean, mean - half, mean + half};
+}
+
+SampleSummary sample_summary(const Sample& sample) {
+  SampleSummary summary{.smallest = kInfinity, .largest = -kInfinity};
+  double sum = 0;
+  sample([&](double value) {
+    ++summary.count;
+    sum += value;
+    summary.smallest = std::fmin(summary.smallest, value);
+    summary.largest = std::fmax(summary.largest, value);
+    summary.is_finite = summary.is_finite && std::isfinite(value);
+  });
+  if (summary.count == 0) return summary;
+  const double n = static_cast<double>(summary.count);
+  summary.deviation = std::sqrt(sum_of_squares(sample, sum / n) / std::max(1.0, n - 1));
+  const double below = order_statistic(sample, (summary.count - 1) / 2);
+  const double above = summary.count % 2 == 1 ? below : order_statistic(sample, summary.count / 2);
+  const std::array<double, 2> middle = {below, above};
+  summary.median = quantile(middle, 0.5);
+  return summary;
 }
 
 double student_quantile(double share, double degrees_of_freedom) {

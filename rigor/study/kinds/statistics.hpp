@@ -14,11 +14,29 @@ struct Estimate {
   double half_width() const { return 0.5 * (high - low); }
 };
 
+/// Values that can be gone through again and again in one order, without being held.
+using Sample = std::function<void(const std::function<void(double)>& visit)>;
+
+/// Values in memory, which must outlive it.
+Sample sample_of(std::span<const double> values);
+
 /// Mean of independent values with Student's interval; of values that are all 0 or 1 a share with Wilson's
 /// interval. With fewer than two values the interval is infinite.
 ///
 /// Source: Wilson, Probable inference, the law of succession, and statistical inference, JASA 22, 1927.
+Estimate mean_estimate(const Sample& sample, double confidence);
+/// The same of values in memory.
 Estimate mean_estimate(std::span<const double> values, double confidence);
+
+/// What else is told of a sample; none of it is NaN.
+struct SampleSummary {
+  std::uint64_t count = 0;
+  double smallest = 0, median = 0, largest = 0, deviation = 0;
+  bool is_finite = true;  ///< All values are.
+};
+/// Goes through the sample eight times at most: the order statistics of the median are found by the leading
+/// bits of the values, 16 at a time, in memory that does not depend on their number.
+SampleSummary sample_summary(const Sample& sample);
 
 /// The number below which one of Student's distribution lies with this probability.
 double student_quantile(double share, double degrees_of_freedom);

@@ -53,8 +53,8 @@ class Sweep : public Strategy {
   std::vector<double> row_of(const RowTable& known, std::uint64_t cell) const {
     std::vector<double> row = grid_.values(cell);
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const std::vector<double> values = outcome_values(known, k, cell * repeats_, (cell + 1) * repeats_);
-      const Estimate mean = mean_estimate(values, plan_.confidence);
+      const Estimate mean =
+          mean_estimate(outcome_sample(known, k, cell * repeats_, (cell + 1) * repeats_), plan_.confidence);
       row.push_back(mean.value);
       if (repeats_ > 1) row.push_back(mean.low), row.push_back(mean.high);
     }

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/io/trajectory/trajectory_writer.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/study/run/audit_quantity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,31 +25,6 @@ constexpr std::array<NamedKind, 3> vector_kinds = {{{"position", Kind::position}
                                                     {"velocity", Kind::velocity},
                                                     {"angular_velocity", Kind::angular_velocity}}};
 constexpr std::array<std::string_view, 4> energy_parts = {"kinetic", "potential", "elastic", "total"};
-
-/// A number of the audit.
-struct AuditPart {
-  std::string_view name;
-  double (*value)(const Audit& audit);
-};
-constexpr std::array<AuditPart, 17> audit_parts = {{
-    {"impacts", [](const Audit& a) { return static_cast<double>(a.report.impacts); }},
-    {"resting", [](const Audit& a) { return static_cast<double>(a.report.resting); }},
-    {"separations", [](const Audit& a) { return static_cast<double>(a.report.separations); }},
-    {"slip_to_stick", [](const Audit& a) { return static_cast<double>(a.report.slip_to_stick); }},
-    {"steps", [](const Audit& a) { return static_cast<double>(a.report.steps); }},
-    {"dissipated", [](const Audit& a) { return a.dissipated; }},
-    {"max_increase", [](const Audit& a) { return a.max_increase; }},
-    {"work", [](const Audit& a) { return a.report.work; }},
-    {"impact_loss", [](const Audit& a) { return a.report.impact_loss; }},
-    {"impact_gain", [](const Audit& a) { return a.report.impact_gain; }},
-    {"friction_loss", [](const Audit& a) { return a.report.friction_loss; }},
-    {"momentum_error", [](const Audit& a) { return a.linear_momentum_error; }},
-    {"angular_momentum_error", [](const Audit& a) { return a.angular_momentum_error; }},
-    {"penetration", [](const Audit& a) { return a.report.max_penetration; }},
-    {"joint_drift", [](const Audit& a) { return a.report.max_joint_drift; }},
-    {"violations", [](const Audit& a) { return static_cast<double>(a.violations.size()); }},
-    {"end_time", [](const Audit& a) { return a.end_time; }},
-}};
 
 /// -1 for "", 0 to 2 for ".x" to ".z".
 std::optional<int> vector_component(std::string_view ending) {
@@ -143,9 +119,7 @@ std::optional<SceneQuantity> find_quantity(const Model& model, std::string_view 
       return SceneQuantity{Kind::energy, static_cast<int>(found - energy_parts.begin())};
   }
   if (const auto rest = after("audit.")) {
-    for (std::size_t i = 0; i < audit_parts.size(); ++i) {
-      if (audit_parts[i].name == *rest) return SceneQuantity{Kind::audit, static_cast<int>(i)};
-    }
+    if (has_audit_quantity(model, *rest)) return SceneQuantity{Kind::audit, 0, 0, std::string(*rest)};
   }
   if (const auto rest = after("momentum")) {
     if (const std::optional<int> component = vector_component(*rest))
@@ -157,7 +131,7 @@ std::optional<SceneQuantity> find_quantity(const Model& model, std::string_view 
 std::vector<std::string> quantity_names(const Model& model) {
   std::vector<std::string> names;
   for (const std::string_view part : energy_parts) names.push_back("energy." + std::string(part));
-  for (const AuditPart& part : audit_parts) names.push_back("audit." + std::string(part.name));
+  for (const std::string& part : audit_quantity_names(model)) names.push_back("audit." + part);
   for (const char* const name : {"momentum", "momentum.x", "momentum.y", "momentum.z"})
     names.emplace_back(name);
   for (const Body& body : model.bodies()) {
@@ -200,7 +174,7 @@ double quantity_value(const SceneQuantity& quantity, const Model& model, const S
     case Kind::momentum:
       return part_of(total_momentum(model, state).linear, quantity.component);
     case Kind::audit:
-      return audit ? audit_parts[at(quantity.index)].value(*audit) : std::numeric_limits<double>::quiet_NaN();
+      return audit ? audit_quantity(*audit, quantity.path) : std::numeric_limits<double>::quiet_NaN();
   }
   return 0;
 }

@@ -13,7 +13,7 @@ namespace rigor {
 /// A number that a formula of an outcome may name: body.NAME.position (its length, or .x .y .z), .velocity,
 /// .angular_velocity, body.NAME.orientation.w (.x .y .z), body.NAME.tilt [rad], joint.NAME.coordinate,
 /// joint.NAME.rate ([0], [1], ... behind them if it has several), energy.kinetic (.potential .elastic
-/// .total), momentum (.x .y .z), and, at the end of a run, audit.impacts and its like.
+/// .total), momentum (.x .y .z), and, at the end of a run, audit. with any number of the audit behind it.
 struct SceneQuantity {
   enum class Kind {
     position,
@@ -28,8 +28,9 @@ struct SceneQuantity {
     audit
   };
   Kind kind;
-  int index = 0;      ///< Of the body or joint; of the part of the energy or of the audit.
-  int component = 0;  ///< x, y, z; -1 for the length; for an orientation w, x, y, z.
+  int index = 0;          ///< Of the body or joint; of the part of the energy.
+  int component = 0;      ///< x, y, z; -1 for the length; for an orientation w, x, y, z.
+  std::string path = {};  ///< Of the audit (audit_quantity.hpp).
 };
 
 /// The quantity of that name in a model, or nothing.
