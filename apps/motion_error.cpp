@@ -30,10 +30,10 @@ double largest_point_distance(const Vec3& p_WB, const Quat& q_WB, const Vec3& p_
                               const Quat& q_WB_other, double radius) {
   const Vec3 offset = p_WB - p_WB_other;
   // sin(θ/2) n.
-  const Vec3 turn = (q_WB * q_WB_other.conjugate()).vec();
-  const double half_sine = turn.norm();
+  const Vec3 rotation = (q_WB * q_WB_other.conjugate()).vec();
+  const double half_sine = rotation.norm();
   if (half_sine == 0 || radius == 0) return offset.norm();
-  const Vec3 n = turn / half_sine;
+  const Vec3 n = rotation / half_sine;
   const double along = offset.dot(n);
   const double across = (offset - along * n).norm();
   return std::hypot(across + 2 * half_sine * radius, along);

@@ -168,20 +168,21 @@ Answer answer_push(const DistanceOptions& options, const Scene& scene, const Sce
   const Body& A = model.body(body_A);
   check_has_shapes(A);
   const std::vector<double> n = parse_numbers("--push", options.push, 3, "0,0,-1");
-  const Vec3 way(n[0], n[1], n[2]);
-  if (way.isZero(0)) throw UsageError("--push: the way is zero, must have a length");
+  const Vec3 displacement(n[0], n[1], n[2]);
+  if (displacement.isZero(0)) throw UsageError("--push: the way is zero, must have a length");
   std::optional<BodyCastHit> first;
   for (const BodyShape& a : A.shapes) {
     const auto others = [&](int body) {
       return body != body_A && !(is_unbounded(a.shape) && has_unbounded_shape(model.body(body)));
     };
     const std::optional<BodyCastHit> hit =
-        queries.cast({&a.shape, queries.pose(body_A) * a.X_BS, way}, others);
+        queries.cast({&a.shape, queries.pose(body_A) * a.X_BS, displacement}, others);
     if (hit && (!first || hit->hit.fraction < first->hit.fraction)) first = hit;
   }
   Answer answer;
-  answer.json = {{"body", A.name}, {"push", vector_json(way)}, {"meets", nullptr}};
-  answer.text = fmt::format("{} pushed by {} m: ", toned(A.name, Tone::strong, stdout), rounded_text(way));
+  answer.json = {{"body", A.name}, {"push", vector_json(displacement)}, {"meets", nullptr}};
+  answer.text =
+      fmt::format("{} pushed by {} m: ", toned(A.name, Tone::strong, stdout), rounded_text(displacement));
   if (!first) {
     answer.text += "meets nothing, proved\n";
     return answer;
@@ -189,8 +190,8 @@ Answer answer_push(const DistanceOptions& options, const Scene& scene, const Sce
   answer.text += fmt::format(
       "meets {}\n  fraction    {:.9g}, proved free before; touching at {:.9g}\n  way         "
       "{:.9g} m\n  at          {} m\n  normal      {} towards it\n",
-      title_of(model, first->on), first->hit.fraction, first->hit.upper, first->hit.fraction * way.norm(),
-      rounded_text(first->hit.p_W), rounded_text(first->hit.n_W));
+      title_of(model, first->on), first->hit.fraction, first->hit.upper,
+      first->hit.fraction * displacement.norm(), rounded_text(first->hit.p_W), rounded_text(first->hit.n_W));
   answer.json["meets"] = {{"body", model.body(first->on.body).name}, {"shape", first->on.shape},
                           {"fraction", first->hit.fraction},         {"upper", first->hit.upper},
                           {"point", vector_json(first->hit.p_W)},    {"normal", vector_json(first->hit.n_W)}};

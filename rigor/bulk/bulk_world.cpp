@@ -385,7 +385,7 @@ void BulkWorld::find_bodies_outside_chains(double h) {
   }
   s.outside_chains.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
-    if (bodies_.stirs(i) && !s.joints->is_free(i)) s.outside_chains.push_back(i);
+    if (bodies_.moves(i) && !s.joints->is_free(i)) s.outside_chains.push_back(i);
   }
 }
 

@@ -37,7 +37,7 @@ inline constexpr std::size_t height_count = 1000000;
 /// Joints of a scene.
 inline constexpr std::size_t joint_count = 100000;
 /// Messages after which the search for mistakes ends.
-inline constexpr std::size_t message_count = 100;
+inline constexpr std::size_t message_count = 20;
 /// Bytes of a name.
 inline constexpr std::size_t name_length = 200;
 /// |q| - 1 of an orientation as written; it is normalised afterwards.

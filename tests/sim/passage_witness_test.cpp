@@ -22,16 +22,16 @@ std::shared_ptr<const Model> pair_of(const Shape& solid, const Shape& body) {
   return builder.build();
 }
 
-BodyPath straight(double t, const StraightWay& way) {
+BodyPath straight(double t, const StraightPath& way) {
   return {PathPiece(0, t, way)};
 }
 
-StraightWay still() {
+StraightPath still() {
   return {};
 }
 
-AdvanceReport watched(const std::shared_ptr<const Model>& model, const StraightWay& solid,
-                      const StraightWay& body, double t = 1) {
+AdvanceReport watched(const std::shared_ptr<const Model>& model, const StraightPath& solid,
+                      const StraightPath& body, double t = 1) {
   AdvanceReport report;
   PassageWitness(model).watch(std::vector{straight(t, solid), straight(t, body)}, report);
   return report;
@@ -62,26 +62,26 @@ TEST(PassageWitness, SaysNothingOfBodiesThatTouchOrPassBeside) {
 
 TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
   const auto model = pair_of(Box{Vec3(1, 0.05, 0.001)}, Sphere{0.02});
-  const StraightWay spinning{Vec3::Zero(), Vec3::Zero(), Quat::Identity(), Vec3(0, 60, 0)};
-  const StraightWay resting{Vec3(0.5, 0, 0.5), Vec3(0.5, 0, 0.5), Quat::Identity(), Vec3::Zero()};
+  const StraightPath spinning{Vec3::Zero(), Vec3::Zero(), Quat::Identity(), Vec3(0, 60, 0)};
+  const StraightPath resting{Vec3(0.5, 0, 0.5), Vec3(0.5, 0, 0.5), Quat::Identity(), Vec3::Zero()};
   const AdvanceReport report = watched(model, spinning, resting);
   EXPECT_EQ(report.passages.instants, 1);
   // The blade's end first points at the body after three eighths of a turn about +y.
   EXPECT_NEAR(report.passages.first * 60, 0.75 * M_PI, 0.01);
-  const StraightWay beyond{Vec3(0.8, 0, 0.8), Vec3(0.8, 0, 0.8), Quat::Identity(), Vec3::Zero()};
+  const StraightPath beyond{Vec3(0.8, 0, 0.8), Vec3(0.8, 0, 0.8), Quat::Identity(), Vec3::Zero()};
   EXPECT_EQ(watched(model, spinning, beyond).passages.instants, 0);
 }
 
-TEST(PassageWitness, StraightWayMakesTheTurnsThatTheVelocitiesSay) {
+TEST(PassageWitness, StraightPathMakesTheTurnsThatTheVelocitiesSay) {
   const Quat q = rotation_exp(Vec3(0.3, -0.2, 0.9));
   const Vec3 turn = 21.3 * Vec3(1, 2, -2) / 3;
-  const StraightWay way = straight_way(Vec3::Zero(), q, Vec3::UnitX(), rotation_exp(turn) * q, turn / 0.1,
-                                       1.01 * turn / 0.1, 0.1);
-  EXPECT_LT((way.turn_W - turn).norm(), 1e-12);
+  const StraightPath way = straight_path(Vec3::Zero(), q, Vec3::UnitX(), rotation_exp(turn) * q, turn / 0.1,
+                                        1.01 * turn / 0.1, 0.1);
+  EXPECT_LT((way.rotation_W - turn).norm(), 1e-12);
 }
 
 /// The deepest that the centre of the body is inside the solid box at one of many instants [m].
-double deepest_inside(const Box& box, const StraightWay& solid, const StraightWay& body) {
+double deepest_inside(const Box& box, const StraightPath& solid, const StraightPath& body) {
   constexpr int instants = 20000;
   double deepest = -1e9;
   const PathPiece of_solid(0, 1, solid), of_body(0, 1, body);
@@ -101,10 +101,10 @@ TEST(PassageWitness, AgreesWithBruteForceOnRandomWays) {
     const Box box{Vec3(random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0.05, 1))};
     const auto model = pair_of(box, Sphere{radius});
     const auto way = [&](double size, double turns) {
-      return StraightWay{size * random.vector(), size * random.vector(), rotation_exp(2 * random.vector()),
-                         turns * random.vector()};
+      return StraightPath{size * random.vector(), size * random.vector(), rotation_exp(2 * random.vector()),
+                          turns * random.vector()};
     };
-    const StraightWay solid = way(0.5, random.uniform(0, 10)), body = way(2, 0);
+    const StraightPath solid = way(0.5, random.uniform(0, 10)), body = way(2, 0);
     const double deepest = deepest_inside(box, solid, body);
     // A way that begins inside is left alone.
     const Vec3 start = PathPiece(0, 1, solid).pose(0).inverse() * body.from;

@@ -253,7 +253,7 @@ void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vec
     for (; touching != 0; touching &= touching - 1) {
       const NearBodies::Pair& pair = near[at(i + std::countr_zero(touching))];
       // Contacts of two bodies that do not move stay as they are.
-      if (!step.bodies.stirs(pair.a) && !step.bodies.stirs(pair.b)) continue;
+      if (!step.bodies.moves(pair.a) && !step.bodies.moves(pair.b)) continue;
       if (may_touch && !may_touch(pair.a, pair.b)) continue;
       for_shapes(pair, add);
     }
@@ -319,7 +319,7 @@ void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>&
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
     for (const int body : moving) {
-      if (!step.bodies.stirs(other.body) && !step.bodies.stirs(body)) continue;
+      if (!step.bodies.moves(other.body) && !step.bodies.moves(body)) continue;
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = ranges.begin(body); s < ranges.end(body); ++s) {

@@ -159,16 +159,16 @@ bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bo
   const Vec3 from = X_OM.R.transpose() * (bodies.x[at(other)] - bodies.x[at(ground)] - X_OM.p),
              to = from + X_OM.R.transpose() * (vector_of(of_other.dp) - vector_of(of_ground.dp));
   const ShapeFacts& ball = is_A ? b : a;
-  const Aabb way{from.cwiseMin(to), from.cwiseMax(to)};
-  return mesh.tree->overlapping(way.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
+  const Aabb path{from.cwiseMin(to), from.cwiseMax(to)};
+  return mesh.tree->overlapping(path.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
 }
 
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
 bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
   const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
-  const double way = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
-                     turning_[at(pair.body_B)] * norm_of(B.dr);
-  return way > near_share * thinner(pair) && !keeps_off_surface(pair, bodies);
+  const double path = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
+                      turning_[at(pair.body_B)] * norm_of(B.dr);
+  return path > near_share * thinner(pair) && !keeps_off_surface(pair, bodies);
 }
 
 void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies) {
@@ -184,8 +184,8 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
     reach_[at(i)] = reach(i, m.dp, m.dr);
     if (ways_.has(i) && bends(i, bodies)) {
       const std::array<double, 2> lengths = ways_.lengths(i);
-      const double way = lengths[0] + turning_[at(i)] * lengths[1];
-      reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(way));
+      const double path = lengths[0] + turning_[at(i)] * lengths[1];
+      reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(path));
     }
     most = std::max(most, reach_[at(i)]);
   }
@@ -201,8 +201,8 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   escaped_.clear();
   for (int i = 0; i < bodies.count(); ++i) {
     const double known = static_cast<double>(expected_[at(i)]) + margin,
-                 way = static_cast<double>(reach_[at(i)]);
-    if (way + static_cast<double>(most) > least && bodies.is_dynamic(i) && way > known * (1 + 1e-3))
+                 path = static_cast<double>(reach_[at(i)]);
+    if (path + static_cast<double>(most) > least && bodies.is_dynamic(i) && path > known * (1 + 1e-3))
       escaped_.push_back(i);
   }
   if (escaped_.empty()) return;
@@ -349,11 +349,11 @@ void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bo
   double& own_share = shares_[at(group_[at(body)])];
   // Where they are when they meet, from where the body began.
   const Vec3 dp = share * own_share * vector_of(own.dp), dr = share * own_share * vector_of(own.dr);
-  const Vec3 way = vector_of(of_driver.dp), turn = vector_of(of_driver.dr);
-  const Vec3 arm = dp - (bodies.x[at(driver)] - bodies.x[at(body)] + share * way);
+  const Vec3 path = vector_of(of_driver.dp), turn = vector_of(of_driver.dr);
+  const Vec3 arm = dp - (bodies.x[at(driver)] - bodies.x[at(body)] + share * path);
   const Quat rest = rotation_exp((1 - share) * turn);
   // The whole way of the body.
-  const Vec3 end = dp + (1 - share) * way + rest * arm - arm, turned = rotation_log(rest * rotation_exp(dr));
+  const Vec3 end = dp + (1 - share) * path + rest * arm - arm, turned = rotation_log(rest * rotation_exp(dr));
   for (int k = 0; k < 3; ++k) {
     own.dp[k] = static_cast<float>(end[k]);
     own.dr[k] = static_cast<float>(turned[k]);

@@ -45,7 +45,7 @@ bool Sleepers::wake(const BulkBodies& bodies, const ManifoldMemories& memory,
   // Contacts of which neither body moves were not searched for: they are as they were.
   kept_.clear();
   for (std::size_t i = 0; i < memory.size(); ++i) {
-    if (!bodies.stirs(memory.body_A(i)) && !bodies.stirs(memory.body_B(i))) kept_.push_back(memory[i]);
+    if (!bodies.moves(memory.body_A(i)) && !bodies.moves(memory.body_B(i))) kept_.push_back(memory[i]);
   }
   // With the manifolds that were found, they are the contacts of this step, in the order of keys.
   found_.resize(manifolds.size());

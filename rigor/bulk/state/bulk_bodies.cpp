@@ -177,7 +177,7 @@ void end_bulk_step(const Executor& executor, BulkBodies& bodies) {
   executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = at(i);
-      if (!bodies.stirs(i)) continue;
+      if (!bodies.moves(i)) continue;
       bodies.x[k] += vector_of(bodies.motion[k].dp);
       bodies.q[k] = orientation_now(i, bodies);
     }

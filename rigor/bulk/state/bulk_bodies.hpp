@@ -100,7 +100,7 @@ struct BulkBodies {
     return m.v[0] != 0 || m.v[1] != 0 || m.v[2] != 0 || m.w[0] != 0 || m.w[1] != 0 || m.w[2] != 0;
   }
   /// Whether contacts with the body may change in a step.
-  bool stirs(int body) const { return is_dynamic(body) || has_velocity(body); }
+  bool moves(int body) const { return is_dynamic(body) || has_velocity(body); }
 };
 
 /// Reads the bodies of a State: velocities are rounded to 32 bits; what is written and read again has the

@@ -165,10 +165,10 @@ class Clipper {
       const Vec3 outward = arm.normalized(), along = disk.normal.cross(outward);
       const Vec3 on_rim = disk.center + disk.radius * outward, off_rim = seen(on_rim - face_.center);
       const double slope = 2 * disk.radius * off_rim.dot(seen(along));
-      const double turn =
+      const double angle =
           (off_rim.squaredNorm() - face_.radius * face_.radius) / (slope == 0 ? rounding : slope);
-      if (!(std::abs(turn) < 1)) return {};
-      p = disk.center + disk.radius * (std::cos(turn) * outward - std::sin(turn) * along);
+      if (!(std::abs(angle) < 1)) return {};
+      p = disk.center + disk.radius * (std::cos(angle) * outward - std::sin(angle) * along);
     }
     return {};
   }

@@ -172,9 +172,9 @@ CutPlane choose_rough_cut(const SolidCell& cell, const std::vector<Vec3>& points
   // Six planes contain the line out of the pocket, three are perpendicular to the axes; all pass through its
   // bottom.
   for (int axis = 0; axis < 3; ++axis) add_plane(Vec3::Unit(axis), nearest, candidates);
-  const Vec3 way = deepest - nearest;
-  if (way.norm() > planes.tolerance) {
-    const Vec3 x = way.unitOrthogonal(), y = way.normalized().cross(x);
+  const Vec3 offset = deepest - nearest;
+  if (offset.norm() > planes.tolerance) {
+    const Vec3 x = offset.unitOrthogonal(), y = offset.normalized().cross(x);
     for (int i = 0; i < kTurns; ++i) {
       const double angle = std::numbers::pi * i / kTurns;
       add_plane(std::cos(angle) * x + std::sin(angle) * y, nearest, candidates);

@@ -138,9 +138,9 @@ class Finder {
     // The slack covers the fit, the rounding of corners, and the error of the direction: a normal that is
     // known across a small width only is off at a distance.
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
-      const double turn = result_.tolerance * 0.01 * result_.size / std::max(width[p], 1e-300);
+      const double tilt = result_.tolerance * 0.01 * result_.size / std::max(width[p], 1e-300);
       result_.planes[p].slack =
-          result_.planes[p].fit + result_.tolerance + std::min(turn, kMostSlack * result_.size);
+          result_.planes[p].fit + result_.tolerance + std::min(tilt, kMostSlack * result_.size);
     }
   }
 

@@ -90,8 +90,8 @@ class WayOut {
         // point of B's piece is past the highest of A's. That may bring others together.
         const double along = n.dot(d.n_W);
         const double past = highest(a_, i, n) + highest(b_, k, -n) - t;
-        const double way = along > kLeastCosine ? std::min(past, -d.distance / along) : past;
-        t += way + rounding_;
+        const double advance = along > kLeastCosine ? std::min(past, -d.distance / along) : past;
+        t += advance + rounding_;
         is_apart = false;
         return t < limit;
       };

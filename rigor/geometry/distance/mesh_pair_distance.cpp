@@ -119,9 +119,9 @@ bool is_mesh_pair_swapped(const Mesh& a, const Pose& X_WA, const Mesh& b, const 
   const int order = compare_meshes(a, b);
   if (order != 0) return order > 0;
   const auto place = [](const Pose& X) { return std::span<const double>(X.p.data(), 3); };
-  const auto turn = [](const Pose& X) { return std::span<const double>(X.R.data(), 9); };
+  const auto rotation = [](const Pose& X) { return std::span<const double>(X.R.data(), 9); };
   const int places = compare(place(X_WA), place(X_WB));
-  return places != 0 ? places > 0 : compare(turn(X_WA), turn(X_WB)) > 0;
+  return places != 0 ? places > 0 : compare(rotation(X_WA), rotation(X_WB)) > 0;
 }
 
 }  // namespace rigor

@@ -90,10 +90,10 @@ bool finish_convex(const TriangleMesh& mesh, const TriangleTree& tree, MeshFace&
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3 before = (corner(k) - corner(k + count - 1)).stableNormalized();
     const Vec3 after = (corner(k + 1) - corner(k)).stableNormalized();
-    const double turn = std::atan2(face.normal.dot(before.cross(after)), before.dot(after));
-    if (turn < -kFaceFlatness) return false;
-    turned += turn;
-    face.is_corner.push_back(turn > kFaceFlatness);
+    const double angle = std::atan2(face.normal.dot(before.cross(after)), before.dot(after));
+    if (angle < -kFaceFlatness) return false;
+    turned += angle;
+    face.is_corner.push_back(angle > kFaceFlatness);
   }
   return std::abs(turned - 2 * std::numbers::pi) < 1e-3;
 }

@@ -40,7 +40,7 @@ RIGOR_LANES Lanes square_if_positive(const Lanes& x) {
 RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBox& against, double* bounds) {
   const std::size_t k = at(first);
   const OrientedBox& other = against.box;
-  const Lanes unit = lanes_of(node.half_unit), loose = lanes_of(against.slack);
+  const Lanes unit = lanes_of(node.half_unit), slack = lanes_of(against.slack);
   const Lanes half[3] = {unit * load_integers(&node.half[0][k]), unit * load_integers(&node.half[1][k]),
                          unit * load_integers(&node.half[2][k])};
   const LaneVec3 offset = {lanes_of(node.origin[0] - other.center.x()),
@@ -62,15 +62,15 @@ RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBo
   double reach_of_other = 0;
   for (int j = 0; j < 3; ++j)
     reach_of_other += std::abs(against.direction.dot(other.axes.col(j))) * other.half[j];
-  Lanes gap_along = dot(n, between) - lanes_of(reach_of_other) - loose;
+  Lanes gap_along = dot(n, between) - lanes_of(reach_of_other) - slack;
   for (int j = 0; j < 3; ++j) {
     const Lanes along = lane_abs(dot(b[j], between));
-    gap_b[j] = along - lanes_of(other.half[j]) - loose;
+    gap_b[j] = along - lanes_of(other.half[j]) - slack;
     reach_along_centers += along * lanes_of(other.half[j]);
   }
   for (int i = 0; i < 3; ++i) {
     const Lanes along = lane_abs(dot(axes.axis[i], between));
-    Lanes gap = along - half[i] - loose;
+    Lanes gap = along - half[i] - slack;
     reach_along_centers += along * half[i];
     gap_along -= lane_abs(dot(axes.axis[i], n)) * half[i];
     for (int j = 0; j < 3; ++j) {
@@ -88,7 +88,7 @@ RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBo
   // The gap along the line of centres, over the length of the vector between them.
   const Lanes length = dot(between, between);
   const Lanes manhattan = lane_abs(between.x) + lane_abs(between.y) + lane_abs(between.z);
-  const Lanes gap = lane_max(length - reach_along_centers - loose * manhattan, Lanes{});
+  const Lanes gap = lane_max(length - reach_along_centers - slack * manhattan, Lanes{});
   const Lanes along_centers = length > Lanes{} ? gap * gap / length : Lanes{};
 
   const Lanes bound =

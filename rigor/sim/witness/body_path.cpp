@@ -8,57 +8,57 @@
 namespace rigor {
 
 PathPiece::PathPiece(double begin, double end, const Motion& motion)
-    : begin_(begin), end_(end), angular_speed_(motion.max_angular_speed()), way_(motion) {}
+    : begin_(begin), end_(end), angular_speed_(motion.max_angular_speed()), path_(motion) {}
 
-PathPiece::PathPiece(double begin, double end, const StraightWay& way)
+PathPiece::PathPiece(double begin, double end, const StraightPath& path)
     : begin_(begin),
       end_(end),
-      angular_speed_(end > begin ? way.turn_W.norm() / (end - begin) : 0),
-      way_(way) {}
+      angular_speed_(end > begin ? path.rotation_W.norm() / (end - begin) : 0),
+      path_(path) {}
 
 Pose PathPiece::pose(double t) const {
-  if (const Motion* motion = std::get_if<Motion>(&way_)) return motion->sample(t).X_WB;
-  const StraightWay& way = std::get<StraightWay>(way_);
-  if (way.turn_W.isZero(0)) return {rotation_matrix(way.q), position(t)};
+  if (const Motion* motion = std::get_if<Motion>(&path_)) return motion->sample(t).X_WB;
+  const StraightPath& path = std::get<StraightPath>(path_);
+  if (path.rotation_W.isZero(0)) return {rotation_matrix(path.q), position(t)};
   const double theta = end_ > begin_ ? (t - begin_) / (end_ - begin_) : 0;
-  return {rotation_matrix(rotation_exp(theta * way.turn_W) * way.q), position(t)};
+  return {rotation_matrix(rotation_exp(theta * path.rotation_W) * path.q), position(t)};
 }
 
 Vec3 PathPiece::position(double t) const {
-  if (const Motion* motion = std::get_if<Motion>(&way_)) return motion->position(t);
-  const StraightWay& way = std::get<StraightWay>(way_);
+  if (const Motion* motion = std::get_if<Motion>(&path_)) return motion->position(t);
+  const StraightPath& path = std::get<StraightPath>(path_);
   const double theta = end_ > begin_ ? (t - begin_) / (end_ - begin_) : 0;
-  return way.from + theta * (way.to - way.from);
+  return path.from + theta * (path.to - path.from);
 }
 
 bool PathPiece::knows_orientation() const {
   constexpr double little = 1;  // What tumbles by less is near the shortest way [rad].
-  const StraightWay* way = std::get_if<StraightWay>(&way_);
-  return way == nullptr || way->keeps_axis || way->turn_W.norm() <= little;
+  const StraightPath* path = std::get_if<StraightPath>(&path_);
+  return path == nullptr || path->keeps_axis || path->rotation_W.norm() <= little;
 }
 
 Aabb PathPiece::centre_box(double ta, double tb) const {
-  if (const Motion* motion = std::get_if<Motion>(&way_)) return motion->path_box(ta, tb);
-  const StraightWay& way = std::get<StraightWay>(way_);
+  if (const Motion* motion = std::get_if<Motion>(&path_)) return motion->path_box(ta, tb);
+  const StraightPath& path = std::get<StraightPath>(path_);
   const double span = end_ > begin_ ? end_ - begin_ : 1;
-  const Vec3 a = way.from + (ta - begin_) / span * (way.to - way.from);
-  const Vec3 b = way.from + (tb - begin_) / span * (way.to - way.from);
+  const Vec3 a = path.from + (ta - begin_) / span * (path.to - path.from);
+  const Vec3 b = path.from + (tb - begin_) / span * (path.to - path.from);
   return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
-StraightWay straight_way(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                         const Vec3& w_from, const Vec3& w_to, double h) {
+StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
+                          const Vec3& w_from, const Vec3& w_to, double h) {
   // The rotation that is left over after whole turns, and the number of turns nearest to what the angular
   // velocities say.
   const Vec3 shortest = rotation_log((q_to * q_from.conjugate()).normalized());
   const Vec3 expected = 0.5 * h * (w_from + w_to);
   const double angle = shortest.norm(), full = 2 * std::numbers::pi;
-  Vec3 turn = shortest;
+  Vec3 rotation = shortest;
   if (angle > 0) {
     const Vec3 axis = shortest / angle;
-    turn = axis * (angle + full * std::round((axis.dot(expected) - angle) / full));
+    rotation = axis * (angle + full * std::round((axis.dot(expected) - angle) / full));
   }
-  return {from, to, q_from, turn};
+  return {from, to, q_from, rotation};
 }
 
 }  // namespace rigor

@@ -8,10 +8,10 @@
 namespace rigor {
 
 /// A body on its way from one pose to another in equal measure: what is known of a step with fixed length.
-struct StraightWay {
+struct StraightPath {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< p_WB [m].
   Quat q = Quat::Identity();                    ///< q_WB at the beginning.
-  Vec3 turn_W = Vec3::Zero();                   ///< Rotation vector to the end, of any number of turns [rad].
+  Vec3 rotation_W = Vec3::Zero();               ///< Rotation vector to the end, of any number of turns [rad].
   bool keeps_axis = true;                       ///< Whether it is known to turn about this axis all the way.
 };
 
@@ -20,14 +20,14 @@ class PathPiece {
  public:
   /// A part of a motion, which is copied.
   PathPiece(double begin, double end, const Motion& motion);
-  PathPiece(double begin, double end, const StraightWay& way);
+  PathPiece(double begin, double end, const StraightPath& path);
 
   double begin() const { return begin_; }
   double end() const { return end_; }
   Pose pose(double t) const;
   Vec3 position(double t) const;  ///< Of the centre of mass [m].
   /// Whether the centre of mass goes straight, at one speed.
-  bool is_straight() const { return std::holds_alternative<StraightWay>(way_); }
+  bool is_straight() const { return std::holds_alternative<StraightPath>(path_); }
   /// Box that holds the centre of mass over [ta, tb].
   Aabb centre_box(double ta, double tb) const;
   /// Upper bound of |ω| [rad/s].
@@ -37,7 +37,7 @@ class PathPiece {
 
  private:
   double begin_, end_, angular_speed_;
-  std::variant<Motion, StraightWay> way_;
+  std::variant<Motion, StraightPath> path_;
 };
 
 /// The pieces of one body, one after the other.
@@ -45,7 +45,7 @@ using BodyPath = std::vector<PathPiece>;
 
 /// The straight way between two poses, h apart [s], in about as many turns as these angular velocities make
 /// [rad/s].
-StraightWay straight_way(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                         const Vec3& w_from, const Vec3& w_to, double h);
+StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
+                          const Vec3& w_from, const Vec3& w_to, double h);
 
 }  // namespace rigor

@@ -35,10 +35,10 @@ std::optional<double> Pursuit::first_entry(double ta, double tb) const {
 bool Pursuit::stay_apart(double ta, double tb) const {
   if (!of_marker_.is_straight() || !of_solid_.is_straight()) return false;
   const Vec3 begin = of_marker_.position(ta) - of_solid_.position(ta);
-  const Vec3 way = of_marker_.position(tb) - of_solid_.position(tb) - begin;
-  const double square = way.squaredNorm();
-  const double nearest = square > 0 ? std::clamp(-begin.dot(way) / square, 0.0, 1.0) : 0;
-  return (begin + nearest * way).norm() > solid_.bounding_radius + offset_;
+  const Vec3 path = of_marker_.position(tb) - of_solid_.position(tb) - begin;
+  const double square = path.squaredNorm();
+  const double nearest = square > 0 ? std::clamp(-begin.dot(path) / square, 0.0, 1.0) : 0;
+  return (begin + nearest * path).norm() > solid_.bounding_radius + offset_;
 }
 
 /// The marker in the frame of the other body.
@@ -50,14 +50,14 @@ Vec3 Pursuit::seen(double t) const {
 /// Whether the boxes of the marker's way and of the solid's meet.
 bool Pursuit::may_meet(double ta, double tb) const {
   if (std::isinf(solid_.bounding_radius)) return true;
-  Aabb way = of_marker_.centre_box(ta, tb);
+  Aabb path = of_marker_.centre_box(ta, tb);
   if (offset_ > 0) {
     // The arm of the marker at ta, which turns by no more than a diameter.
     const Vec3 arm_W = of_marker_.pose(ta).R * marker_.p_B;
     const double sway = offset_ * std::min(2.0, of_marker_.angular_speed() * (tb - ta));
-    way = Aabb{way.lower + arm_W, way.upper + arm_W}.grown(sway);
+    path = Aabb{path.lower + arm_W, path.upper + arm_W}.grown(sway);
   }
-  return way.overlaps(of_solid_.centre_box(ta, tb).grown(solid_.bounding_radius));
+  return path.overlaps(of_solid_.centre_box(ta, tb).grown(solid_.bounding_radius));
 }
 
 /// Between two instants at which the marker is seen at a and b: by one chord where the way is straight
@@ -67,10 +67,10 @@ std::optional<double> Pursuit::between(double ta, const Vec3& a, double tb, cons
   if (!may_meet(ta, tb)) return std::nullopt;
   const double tm = 0.5 * (ta + tb);
   const Vec3 m = seen(tm);
-  const double turn =
+  const double rotation =
       (tb - ta) * std::max(of_solid_.angular_speed(), offset_ > 0 ? of_marker_.angular_speed() : 0.0);
   const bool is_straight =
-      turn <= largest_turn && (m - 0.5 * (a + b)).norm() <= share_of_clearance * marker_.clearance;
+      rotation <= largest_turn && (m - 0.5 * (a + b)).norm() <= share_of_clearance * marker_.clearance;
   if (!is_straight && halvings < most_halvings) {
     constexpr int many_chords = 8;
     if (halvings == many_chords) poll_interrupt();

@@ -9,12 +9,12 @@ PathPiece step_way(const Model& model, const Environment& environment, int i, co
                    const State& after) {
   const Body& body = model.body(i);
   const double h = after.t - before.t;
-  StraightWay way =
-      straight_way(before.position(i), before.orientation(i), after.position(i), after.orientation(i),
+  StraightPath way =
+      straight_path(before.position(i), before.orientation(i), after.position(i), after.orientation(i),
                    angular_velocity(model, before, i), angular_velocity(model, after, i), h);
   way.keeps_axis = body.motion != MotionType::dynamic;
   constexpr double little = 0.5;  // What turns by less keeps near its axis [rad].
-  if (way.keeps_axis || way.turn_W.norm() <= little) return {before.t, after.t, way};
+  if (way.keeps_axis || way.rotation_W.norm() <= little) return {before.t, after.t, way};
 
   // The flight with the momenta of the end, after what impacts there may have been at the beginning: if it
   // leads from the one place to the other, it is what happened.

@@ -222,10 +222,10 @@ void WatchedPairs::pair_anew(int i) {
 /// the other body.
 bool WatchedPairs::may_meet(KeptPair& pair, const State& before, const std::vector<StepMove>& moves) const {
   const StepMove &A = moves[at(pair.a)], &B = moves[at(pair.b)];
-  const double way = (A.d - B.d).norm() + A.turn + B.turn;
-  pair.gap -= way;
+  const double approach = (A.d - B.d).norm() + A.turn + B.turn;
+  pair.gap -= approach;
   if (pair.gap > 0) return false;
-  pair.gap = gap(pair.a, pair.b, before) - way;
+  pair.gap = gap(pair.a, pair.b, before) - approach;
   if (pair.gap > 0) return false;
   pair.gap = 0;
   // Balls round bodies that pass beside each other, on straight ways up to their arcs.

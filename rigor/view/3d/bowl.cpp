@@ -21,9 +21,9 @@ void add_half_sphere(double radius, TriangleMesh& mesh) {
   for (int i = 1; i <= rings; ++i) {
     const double tilt = 0.5 * std::numbers::pi * i / rings;
     for (int k = 0; k < bowl_sides; ++k) {
-      const double turn = 2 * std::numbers::pi * k / bowl_sides;
-      mesh.vertices.push_back(
-          radius * Vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt)));
+      const double azimuth = 2 * std::numbers::pi * k / bowl_sides;
+      mesh.vertices.push_back(radius * Vec3(std::sin(tilt) * std::cos(azimuth),
+                                            std::sin(tilt) * std::sin(azimuth), -std::cos(tilt)));
     }
   }
 }

@@ -169,24 +169,25 @@ Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
 /// Line of sight across the longer side of the ground that the balls cover, slightly rotated. The flatter the
 /// balls are spread, the steeper the view from above.
 Vec3 line_of_sight(const std::vector<FramedBall>& balls, const Vec3& up) {
-  constexpr double degree = M_PI / 180, turn = 24 * degree, least_dip = 10 * degree, more_dip = 30 * degree;
+  constexpr double degree = M_PI / 180, azimuth = 24 * degree, least_dip = 10 * degree,
+                   more_dip = 30 * degree;
   const Spread spread = spread_of(balls, up);
   const bool is_longer_along_second = spread.along_second > 1.01 * spread.along_first;
   const Vec3 level = up.cross(is_longer_along_second ? spread.second : spread.first);
   const double breadth = std::min(spread.along_first, spread.along_second);
   const double height_and_breadth = spread.upwards + breadth;
   const double dip = least_dip + more_dip * (height_and_breadth > 0 ? breadth / height_and_breadth : 0.5);
-  const Vec3 turned = std::cos(turn) * level + std::sin(turn) * level.cross(up);
+  const Vec3 turned = std::cos(azimuth) * level + std::sin(azimuth) * level.cross(up);
   return std::cos(dip) * turned - std::sin(dip) * up;
 }
 
 /// The direction turned about `up` and dipped further towards the ground, to at most 80 degrees [rad].
-Vec3 moved_sight(const Vec3& forward, const Vec3& up, double turn, double dip) {
+Vec3 moved_sight(const Vec3& forward, const Vec3& up, double azimuth, double dip) {
   constexpr double steepest = 80 * M_PI / 180;
   const double now = std::asin(std::clamp(-forward.dot(up), -1.0, 1.0));
   const double then = std::max(now, std::min(now + dip, steepest));
   const Vec3 level = (forward - forward.dot(up) * up).normalized();
-  const Vec3 turned = std::cos(turn) * level + std::sin(turn) * up.cross(level);
+  const Vec3 turned = std::cos(azimuth) * level + std::sin(azimuth) * up.cross(level);
   return std::cos(then) * turned - std::sin(then) * up;
 }
 
@@ -202,11 +203,11 @@ Vec3 clear_sight(const DrawnScene& scene, std::span<const Pose> poses, const Vec
   // What is hidden counts most, then how far the direction is from the usual one, then how small all becomes.
   const double distance = (first.eye - first.target).norm();
   Vec3 best = usual;
-  for (const int turn : {0, 1, -1, 2, -2, 3, -3, 4}) {
+  for (const int azimuth : {0, 1, -1, 2, -2, 3, -3, 4}) {
     for (const int dip : {0, 1, 2}) {
-      const Vec3 forward = moved_sight(usual, scene.up, 45 * degree * turn, 25 * degree * dip);
+      const Vec3 forward = moved_sight(usual, scene.up, 45 * degree * azimuth, 25 * degree * dip);
       const Camera camera = framed(forward);
-      const double cost = lines.hidden_part(camera.eye) + 0.07 * std::abs(turn) + 0.15 * dip +
+      const double cost = lines.hidden_part(camera.eye) + 0.07 * std::abs(azimuth) + 0.15 * dip +
                           0.5 * std::max(0.0, (camera.eye - camera.target).norm() / distance - 1);
       if (cost < least) least = cost, best = forward;
     }

@@ -45,19 +45,19 @@ SightLines::SightLines(const DrawnScene& scene, std::span<const Pose> poses) {
 
 /// What the body lies on does not hide it: it is looked for where it is nearest to the eye.
 Vec3 SightLines::nearest_point(const Target& target, const Vec3& eye) {
-  const Vec3 way = eye - target.center;
-  const double length = way.norm();
+  const Vec3 sight = eye - target.center;
+  const double length = sight.norm();
   if (!(length > 0)) return target.center;
-  return target.center + std::min(0.7 * target.radius, 0.5 * length) / length * way;
+  return target.center + std::min(0.7 * target.radius, 0.5 * length) / length * sight;
 }
 
 bool SightLines::hides(const Obstacle& obstacle, const Vec3& eye, const Vec3& point) {
   // A line that passes the ball around the shape needs no closer look.
-  const Vec3 way = point - eye, to_shape = obstacle.X_WS.p - eye;
-  const double share = std::clamp(to_shape.dot(way) / way.squaredNorm(), 0.0, 1.0);
-  if ((to_shape - share * way).norm() > obstacle.shape->radius) return false;
+  const Vec3 sight = point - eye, to_shape = obstacle.X_WS.p - eye;
+  const double share = std::clamp(to_shape.dot(sight) / sight.squaredNorm(), 0.0, 1.0);
+  if ((to_shape - share * sight).norm() > obstacle.shape->radius) return false;
   constexpr double just_before = 0.999;
-  return find_ray_hit(obstacle.shape->shape, obstacle.X_WS, {eye, way, just_before}).has_value();
+  return find_ray_hit(obstacle.shape->shape, obstacle.X_WS, {eye, sight, just_before}).has_value();
 }
 
 double SightLines::hidden_part(const Vec3& eye) const {
