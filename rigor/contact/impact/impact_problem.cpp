@@ -2,6 +2,7 @@
 
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
@@ -74,10 +75,24 @@ ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_
 }
 
 ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts) {
+  // The nodes that take part, in their order.
+  std::vector<int> nodes(rows.node_count(), -1);
+  for (const std::size_t i : contacts) {
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0) nodes[at(side.node)] = 0;
+  }
   ContactRows result;
-  result.masses = rows.masses;
-  result.inverse_masses = rows.inverse_masses;
-  for (const std::size_t i : contacts) result.contacts.push_back(rows.contacts[i]);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (nodes[k] < 0) continue;
+    nodes[k] = static_cast<int>(result.masses.size());
+    result.masses.push_back(rows.masses[k]);
+    result.inverse_masses.push_back(rows.inverse_masses[k]);
+  }
+  for (const std::size_t i : contacts) {
+    result.contacts.push_back(rows.contacts[i]);
+    for (ContactRows::Side& side : result.contacts.back())
+      if (side.node >= 0) side.node = nodes[at(side.node)];
+  }
   return result;
 }
 
