@@ -2,6 +2,7 @@
 #include "apps/cost_estimate.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/overlap_text.hpp"
+#include "apps/slow_warning.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/scene/scene_reader.hpp"
@@ -80,6 +81,8 @@ ExitCode execute(const CheckOptions& options) {
       const Scene scene = read_and_check(path);
       const std::string study = study_line(path);
       for (const std::string& warning : scene.warnings) print_warning(warning);
+      const std::string slow = slow_warning(scene, make_initial_state(*scene.model));
+      if (!slow.empty()) print_warning(slow);
       fmt::print("{}: {}: {}\n{}{}", path, toned("ok", Tone::good, stdout), summary(scene),
                  choice_line(scene), study);
       if (options.has_estimate && !print_estimate(path)) return exit_interrupted;

@@ -52,7 +52,8 @@ VecX plastic_with_static_friction(const ImpactProblem& problem) {
   StaticFriction friction{frictions(problem), frictions(problem), std::vector<bool>(problem.count(), true)};
   for (double& mu : friction.mu_static) mu *= 2;
   return solve_static_friction(
-             friction, [&](const std::vector<double>& mu) { return solve_cones(problem.A, problem.u, mu); })
+             friction,
+             [&](const std::vector<double>& mu) { return solve_cones(problem.A.dense(), problem.u, mu); })
       .solution.lambda;
 }
 

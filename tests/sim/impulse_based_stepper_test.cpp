@@ -186,7 +186,7 @@ TEST(FindReversal, TurnsTheWholeVelocityRoundIfTheImpulseLiesInTheCone) {
   problem.contacts.push_back({0, 1, Mat3::Identity(), 0.5, 0, 0});
   Mat3 K;
   K << 2, 0.1, 0.2, 0.1, 3, -0.1, 0.2, -0.1, 1;
-  problem.A = K;
+  problem.A = MatX(K);
   problem.u = Vec3(0.1, -0.1, -1);
   const std::optional<ImpactSolution> reversal = find_reversal(problem);
   ASSERT_TRUE(reversal);
@@ -198,7 +198,7 @@ TEST(FindReversal, TurnsTheWholeVelocityRoundIfTheImpulseLiesInTheCone) {
 TEST(FindReversal, SlidingContactsGetTheFrictionOfTheirWholeNormalImpulseAndAddNoEnergy) {
   ImpactProblem problem;
   problem.contacts.push_back({0, 1, Mat3::Identity(), 0.5, 0, 0});
-  problem.A = Mat3::Identity();
+  problem.A = MatX(Mat3::Identity());
   // The normal velocity turns round by an impulse of 2; friction of up to 1 slows a slip of 3 and turns one
   // of 0.8 round, where an impact that ends its friction with the slip would leave none.
   for (const double slip : {3.0, 0.8}) {

@@ -2,6 +2,7 @@
 
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ namespace {
 
 /// From so many contacts on the sparse rows are faster than the dense A.
 constexpr std::size_t many_contacts = 12;
+
+/// From so many on the dense A is not formed, unless the rows leave a problem to it.
+constexpr std::size_t too_many_for_matrix = 48;
 
 /// Joints and loads have rows of their own kind, which contact space eliminates.
 bool bodies_bear_all(const ContactSystem& system) {
@@ -33,7 +37,7 @@ CoulombProblem cones_of(const VecX& b, const std::vector<double>& mu) {
 
 ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector<double>& restitutions) {
   RIGOR_ASSERT(restitutions.size() == system.contacts.size());
-  ImpactProblem problem{{}, delassus(system), relative_velocities(system)};
+  ImpactProblem problem{{}, {}, relative_velocities(system)};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const bool is_ascending = contact.body_A < contact.body_B;
@@ -44,20 +48,52 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
   }
   if (problem.count() >= many_contacts && bodies_bear_all(system))
     problem.rows = std::make_shared<const ContactRows>(motion_rows(system));
+  problem.A = problem.rows && problem.count() >= too_many_for_matrix ? DelassusOperator(problem.rows)
+                                                                     : DelassusOperator(delassus(system));
   return problem;
 }
 
 ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_t>& chosen, const VecX& u) {
   const Eigen::Index size = row_of(chosen.size());
-  ImpactProblem part{{}, MatX(size, size), VecX(size)};
+  ImpactProblem part{{}, {}, VecX(size)};
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     part.contacts.push_back(problem.contacts[chosen[i]]);
     part.u.segment<3>(row_of(i)) = u.segment<3>(row_of(chosen[i]));
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      part.A.block<3, 3>(row_of(i), row_of(k)) = problem.A.block<3, 3>(row_of(chosen[i]), row_of(chosen[k]));
-    }
   }
+  if (problem.rows && chosen.size() >= too_many_for_matrix) {
+    part.rows = std::make_shared<const ContactRows>(rows_of(*problem.rows, chosen));
+    part.A = DelassusOperator(part.rows);
+    return part;
+  }
+  MatX A(size, size);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      A.block<3, 3>(row_of(i), row_of(k)) = problem.A.block(chosen[i], chosen[k]);
+  }
+  part.A = DelassusOperator(std::move(A));
   return part;
+}
+
+ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts) {
+  // The nodes that take part, in their order.
+  std::vector<int> nodes(rows.node_count(), -1);
+  for (const std::size_t i : contacts) {
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0) nodes[at(side.node)] = 0;
+  }
+  ContactRows result;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (nodes[k] < 0) continue;
+    nodes[k] = static_cast<int>(result.masses.size());
+    result.masses.push_back(rows.masses[k]);
+    result.inverse_masses.push_back(rows.inverse_masses[k]);
+  }
+  for (const std::size_t i : contacts) {
+    result.contacts.push_back(rows.contacts[i]);
+    for (ContactRows::Side& side : result.contacts.back())
+      if (side.node >= 0) side.node = nodes[at(side.node)];
+  }
+  return result;
 }
 
 double rounding_speed(const VecX& u) {
@@ -100,7 +136,7 @@ CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const s
     if (std::optional<CoulombSolution> any = solve_in_motion_space(motion, {}, any_share))
       return std::move(*any);
   }
-  return solve_cones(problem.A, b, mu);
+  return solve_cones(problem.A.dense(), b, mu);
 }
 
 std::vector<double> frictions(const ImpactProblem& problem) {

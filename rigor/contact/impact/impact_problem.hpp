@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/contact/impact/delassus_operator.hpp"
 #include "rigor/contact/system/contact_system.hpp"
 #include "rigor/solver/linear/contact_rows.hpp"
 
@@ -27,7 +28,7 @@ struct ImpactContact {
 /// relative velocities by A λ.
 struct ImpactProblem {
   std::vector<ImpactContact> contacts;  ///< n.
-  MatX A;                               ///< Delassus operator, 3n × 3n [1/kg].
+  DelassusOperator A;                   ///< 3n × 3n [1/kg].
   VecX u;                               ///< Relative velocities before, 3n [m/s].
   /// What A is made of, where the contacts are many and bodies alone bear them: else none.
   std::shared_ptr<const ContactRows> rows = {};
@@ -50,8 +51,12 @@ struct ImpactSolution {
 /// The contacts of a system with their coefficients of restitution.
 ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector<double>& restitutions);
 
-/// The problem of some of its contacts alone, with velocities u (3n).
+/// The problem of some of its contacts alone, with velocities u (3n): by a matrix, or by rows alone where
+/// the problem has rows and the contacts chosen are many.
 ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_t>& chosen, const VecX& u);
+
+/// The rows of these contacts, without joints, on the nodes that they have.
+ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts);
 
 /// First of the three rows of a contact.
 inline Eigen::Index row_of(std::size_t contact) {

@@ -10,7 +10,7 @@ ImpactSolution solve_newton_impacts(const ImpactProblem& problem) {
   for (std::size_t i = 0; i < problem.count(); ++i) {
     b[row_of(i) + 2] += problem.contacts[i].restitution * std::min(0.0, normal_velocity(problem.u, i));
   }
-  const CoulombSolution found = solve_cones(problem.A, b, frictions(problem));
+  const CoulombSolution found = solve_cones(problem.A.dense(), b, frictions(problem));
   return {found.lambda, found.residual, found.converged, found.iterations};
 }
 

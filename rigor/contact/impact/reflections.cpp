@@ -1,5 +1,7 @@
 #include "rigor/contact/impact/reflections.hpp"
 
+#include "rigor/contact/impact/local_plastic_impact.hpp"
+#include "rigor/contact/impact/normal_reflections.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
@@ -12,21 +14,13 @@ namespace rigor {
 
 namespace {
 
-std::vector<std::size_t> approaching_contacts(const VecX& u, double tolerance) {
-  std::vector<std::size_t> approaching;
-  for (std::size_t i = 0; row_of(i) < u.size(); ++i) {
-    if (normal_velocity(u, i) < -tolerance) approaching.push_back(i);
-  }
-  return approaching;
-}
-
 /// Coulomb's law with e = 0. Where it has no solution that the solver finds, the impact without friction,
 /// which has one unless bodies are squeezed between others that do not give way; not converged then.
 CoulombSolution solve_plastic(const ImpactProblem& problem, const VecX& u) {
   const auto is_admissible = [&](const CoulombSolution& found) {
     return found.lambda.dot(found.w + u) <= 0 && fastest_approach(found.w) <= 1e-9 * fastest_approach(u);
   };
-  const CoulombSolution exact = solve_cones(problem, u, frictions(problem));
+  const CoulombSolution exact = solve_plastic_where_it_acts(problem, u);
   if (exact.converged || is_admissible(exact)) return exact;
   CoulombSolution frictionless = solve_cones(problem, u, std::vector<double>(problem.count(), 0.0));
   if (!is_admissible(frictionless)) frictionless.lambda.setZero();
@@ -84,19 +78,11 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
   return lambda + largest_share(problem, lambda, more, limit) * more;
 }
 
-/// The rows of these contacts.
-ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts) {
-  ContactRows result;
-  result.masses = rows.masses;
-  result.inverse_masses = rows.inverse_masses;
-  for (const std::size_t i : contacts) result.contacts.push_back(rows.contacts[i]);
-  return result;
-}
-
 /// The rows of these contacts with the normal ones cut off: instead of bodies they move loads, so that their
-/// diagonal entries are those of A.
+/// diagonal entries are these responses.
 std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
-                                                    const std::vector<std::size_t>& contacts, const MatX& A) {
+                                                    const std::vector<std::size_t>& contacts,
+                                                    const std::vector<double>& responses) {
   ContactRows result = rows_of(rows, contacts);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     // A node of loads has six velocities, one for each of six contacts.
@@ -105,7 +91,7 @@ std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
       result.masses.push_back(Mat6::Identity());
       result.inverse_masses.push_back(Mat6::Identity());
     }
-    const double a = A(row_of(i) + 2, row_of(i) + 2);
+    const double a = responses[i];
     result.masses.back()(velocity, velocity) = 1 / a;
     result.inverse_masses.back()(velocity, velocity) = a;
     ContactRows::Sides& sides = result.contacts[i];
@@ -117,6 +103,34 @@ std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
   return std::make_shared<const ContactRows>(std::move(result));
 }
 
+/// The contacts pressed, with velocities u (3n of all), their normal rows cut off.
+ImpactProblem friction_on_rows(const ImpactProblem& problem, const std::vector<std::size_t>& pressed,
+                               const VecX& u, const std::vector<double>& responses) {
+  ImpactProblem part{{}, {}, VecX(row_of(pressed.size()))};
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    part.contacts.push_back(problem.contacts[pressed[i]]);
+    part.u.segment<3>(row_of(i)) = u.segment<3>(row_of(pressed[i]));
+  }
+  part.rows = rows_of_friction(*problem.rows, pressed, responses);
+  part.A = DelassusOperator(part.rows);
+  return part;
+}
+
+/// The same by the matrix.
+ImpactProblem friction_on_matrix(const ImpactProblem& problem, const std::vector<std::size_t>& pressed,
+                                 const VecX& u, const std::vector<double>& responses) {
+  ImpactProblem part = part_of(problem, pressed, u);
+  MatX A = part.A.dense();
+  for (std::size_t i = 0; i < part.count(); ++i) {
+    const Eigen::Index normal = row_of(i) + 2;
+    A.row(normal).setZero();
+    A.col(normal).setZero();
+    A(normal, normal) = responses[i];
+  }
+  part.A = DelassusOperator(std::move(A));
+  return part;
+}
+
 /// Coulomb's law on the part, with any share of the load. The energy misses its least by the square of what
 /// the impulses miss.
 CoulombSolution solve_friction(const ImpactProblem& part) {
@@ -124,45 +138,29 @@ CoulombSolution solve_friction(const ImpactProblem& part) {
   any_share.least_norm = false;
   any_share.enough = any_share.tolerance = 1e-10;
   any_share.resolution = 0;
-  CoulombProblem laws{part.A, part.u, frictions(part),
+  CoulombProblem laws{{},
+                      part.u,
+                      frictions(part),
                       std::vector<FrictionRow>(part.count(), FrictionRow::cone),
                       std::vector<Vec2>(part.count(), Vec2::Zero())};
   if (part.rows) {
-    // Small disks of many contacts make the last digits slow.
+    // Small disks of many contacts make the last digits slow. The problem is convex and its motion unique: a
+    // bold search finds the same, in a third of the steps.
     constexpr double enough_of_many = 1e-7;
     CoulombOptions of_many = any_share;
     of_many.enough = of_many.tolerance = enough_of_many;
+    of_many.is_bold = true;
     if (std::optional<CoulombSolution> found = solve_in_motion_space({*part.rows, laws}, {}, of_many))
       return std::move(*found);
   }
+  laws.A = part.A.dense();
   return solve_coulomb(laws, any_share);
 }
 
 }  // namespace
 
 VecX generalised_reflections(const ImpactProblem& problem) {
-  // Finitely many reflections suffice; how many grows with the root of the mass ratios. What approaches after
-  // the last is left to the plastic impact.
-  constexpr int most_reflections = 10000;
-  // Without friction the pivots of the dense problem are quicker up to so many contacts.
-  constexpr std::size_t many_on_rows = 48;
-  const double tolerance = rounding_speed(problem.u);
-  VecX u = problem.u;
-  VecX lambda = VecX::Zero(u.size());
-  for (int k = 0; k < most_reflections; ++k) {
-    const std::vector<std::size_t> approaching = approaching_contacts(u, tolerance);
-    if (approaching.empty()) break;
-    ImpactProblem part = part_of(problem, approaching, u);
-    if (problem.rows && approaching.size() >= many_on_rows)
-      part.rows = std::make_shared<const ContactRows>(rows_of(*problem.rows, approaching));
-    const CoulombSolution stopped = solve_cones(part, part.u, std::vector<double>(part.count(), 0.0));
-    if (!stopped.converged) break;
-    for (std::size_t i = 0; i < approaching.size(); ++i) {
-      lambda[row_of(approaching[i]) + 2] += 2 * stopped.lambda[row_of(i) + 2];
-    }
-    u = problem.u + problem.A * lambda;
-  }
-  return lambda;
+  return NormalReflections(problem).run();
 }
 
 double add_friction(const ImpactProblem& problem, VecX& lambda) {
@@ -175,17 +173,14 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
 
   // A Coulomb problem whose normal impulses are known: the normal rows are cut off from the tangential ones
   // and say a (λ_n - known) = 0. The motion is the same for every share of redundant contacts.
-  ImpactProblem part = part_of(problem, pressed, problem.u + problem.A * lambda);
-  for (std::size_t i = 0; i < part.count(); ++i) {
-    const Eigen::Index normal = row_of(i) + 2;
-    const double a = 0.5 * part.A.block<2, 2>(row_of(i), row_of(i)).trace();
-    part.A.row(normal).setZero();
-    part.A.col(normal).setZero();
-    part.A(normal, normal) = a;
-    part.u[normal] = -a * lambda[row_of(pressed[i]) + 2];
-  }
-
-  if (problem.rows) part.rows = rows_of_friction(*problem.rows, pressed, part.A);
+  const VecX u = problem.u + problem.A * lambda;
+  std::vector<double> responses;
+  for (const std::size_t i : pressed)
+    responses.push_back(0.5 * problem.A.block(i, i).topLeftCorner<2, 2>().trace());
+  ImpactProblem part = problem.rows ? friction_on_rows(problem, pressed, u, responses)
+                                    : friction_on_matrix(problem, pressed, u, responses);
+  for (std::size_t i = 0; i < part.count(); ++i)
+    part.u[row_of(i) + 2] = -responses[i] * lambda[row_of(pressed[i]) + 2];
   const CoulombSolution found = solve_friction(part);
 
   // The friction found, brought inside the disks of the true normal impulses.

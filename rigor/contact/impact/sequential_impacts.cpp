@@ -28,9 +28,7 @@ std::vector<Group> independent_groups(const ImpactProblem& problem, Group contac
     Group group{contacts.front()};
     contacts.erase(contacts.begin());
     for (std::size_t k = 0; k < group.size(); ++k) {
-      const auto is_coupled = [&](std::size_t i) {
-        return !problem.A.block<3, 3>(row_of(i), row_of(group[k])).isZero(0);
-      };
+      const auto is_coupled = [&](std::size_t i) { return !problem.A.block(i, group[k]).isZero(0); };
       const auto coupled = std::stable_partition(contacts.begin(), contacts.end(),
                                                  [&](std::size_t i) { return !is_coupled(i); });
       group.insert(group.end(), coupled, contacts.end());
@@ -64,18 +62,18 @@ ImpactSolution solve_sequential_impacts(const ImpactProblem& problem, Restitutio
       const ImpactSolution impact = resolve_group(part_of(problem, group, u), law);
       solution.residual = std::max(solution.residual, impact.residual);
       solution.converged = solution.converged && impact.converged;
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        const Vec3 lambda = impact.lambda.segment<3>(row_of(i));
-        solution.lambda.segment<3>(row_of(group[i])) += lambda;
-        u += problem.A.middleCols<3>(row_of(group[i])) * lambda;
-      }
+      VecX lambda = VecX::Zero(u.size());
+      for (std::size_t i = 0; i < group.size(); ++i)
+        lambda.segment<3>(row_of(group[i])) = impact.lambda.segment<3>(row_of(i));
+      solution.lambda += lambda;
+      u += problem.A * lambda;
       ++solution.iterations;
     }
     if (!solution.converged) break;
   }
 
   // The impacts did not end by themselves: a plastic impact ends what is left.
-  const CoulombSolution rest = solve_cones(problem.A, u, frictions(problem));
+  const CoulombSolution rest = solve_cones(problem.A.dense(), u, frictions(problem));
   solution.lambda += rest.lambda;
   solution.residual = std::max(solution.residual, rest.residual);
   solution.converged = solution.converged && rest.converged;

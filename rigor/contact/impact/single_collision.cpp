@@ -46,7 +46,7 @@ std::optional<Patch> find_patch(const ImpactProblem& problem) {
   if (alike.empty()) return std::nullopt;
   if (alike.size() == 1) return Patch{alike, {1.0}};
   const ImpactProblem part = part_of(problem, alike, problem.u);
-  const CoulombSolution plastic = solve_cones(part.A, part.u, frictions(part));
+  const CoulombSolution plastic = solve_cones(part.A.dense(), part.u, frictions(part));
   if (!plastic.converged) return std::nullopt;
   Patch patch;
   double sum = 0;
@@ -114,7 +114,7 @@ Collided collide(const Mat3& K, const Vec3& u, const ImpactContact& contact, Res
 ImpactSolution resolve_lone_contact(const ImpactProblem& problem, RestitutionLaw law) {
   RIGOR_ASSERT(problem.count() == 1);
   const ImpactContact& contact = problem.contacts[0];
-  const Collided collided = collide(problem.A, problem.u, contact, law);
+  const Collided collided = collide(problem.A.block(0, 0), problem.u, contact, law);
   return {collided.lambda, 0, collided.is_resolved, 1, {}, collided.phases};
 }
 
@@ -127,7 +127,9 @@ std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem
 
   // Its collision at the centre of pressure, K = Σ w_i w_k A_ik.
   const ImpactContact& contact = problem.contacts[patch->contacts.front()];
-  Mat3 K = shares.transpose() * problem.A * shares;
+  MatX moved(shares.rows(), 3);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) moved.col(axis) = problem.A * VecX(shares.col(axis));
+  Mat3 K = shares.transpose() * moved;
   K = 0.5 * (K + K.transpose()).eval();
   const Collided collided = collide(K, shares.transpose() * problem.u, contact, law);
   if (!collided.is_resolved) return std::nullopt;

@@ -26,7 +26,7 @@ class VelocityProjection {
     motion_.laws.b = std::move(b);
     motion_.laws.mu = std::move(mu);
     if (std::optional<CoulombSolution> nearest = solve_in_motion_space(motion_)) return *nearest;
-    return solve_cones(problem_.A, motion_.laws.b, motion_.laws.mu);
+    return solve_cones(problem_.A.dense(), motion_.laws.b, motion_.laws.mu);
   }
 
  private:

@@ -204,6 +204,8 @@ VecX projection_impulses(const ContactSystem& system, const std::vector<ContactS
                          const RestingChoice& choice) {
   CoulombProblem laws = laws_of(system);
   laws.b = relative_velocities(system);
+  // Bodies at rest, as most scenes begin: nothing is to be corrected.
+  if (laws.b.isZero(0)) return laws.b;
   // Along the slip nothing is corrected: a sliding contact takes part with its normal alone.
   laws.mu.assign(states.size(), 0.0);
   return forces_of_modes(system, std::move(laws), modes_of(states), choice);

@@ -10,7 +10,7 @@
 namespace rigor {
 
 std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem) {
-  const CoulombSolution plastic = solve_cones(problem.A, problem.u, frictions(problem));
+  const CoulombSolution plastic = solve_cones(problem.A.dense(), problem.u, frictions(problem));
   if (!plastic.converged) return std::nullopt;
   return ImpactSolution{2 * plastic.lambda, plastic.residual, true, plastic.iterations};
 }

@@ -62,7 +62,7 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
   if (!solution.converged) ++report.fallbacks;
 }
 
-void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
+void ImpulseStep::strike(double h, Cluster& part, ImpactMemory& impacts, AdvanceReport& report) const {
   constexpr int most_passes = 50;
   std::vector<bool> struck(part.contacts.size(), false);
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
@@ -74,7 +74,9 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
     // Those that bounce collide by the law of the method, as often as it takes.
     if (closing.bounces && pass + 1 < most_passes) {
       std::swap(part.contacts, closing.contacts);
-      resolver_.apply_impulses(part, report);
+      impacts.collide(
+          part, [this](Cluster& moving, AdvanceReport& of_it) { resolver_.apply_impulses(moving, of_it); },
+          report);
       std::swap(part.contacts, closing.contacts);
       continue;
     }

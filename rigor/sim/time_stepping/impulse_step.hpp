@@ -3,6 +3,7 @@
 #include "rigor/sim/islands/contact_resolver.hpp"
 #include "rigor/sim/islands/island_integrator.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
+#include "rigor/sim/time_stepping/impact_memory.hpp"
 #include "rigor/sim/time_stepping/step_solver.hpp"
 
 #include <vector>
@@ -22,8 +23,9 @@ class ImpulseStep {
               const ContactResolver& resolver, const JointProjection& joints, const Method& method);
 
   /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
-  /// they may still be apart by their gaps. Changes the momenta of the part.
-  void strike(double h, Cluster& part, AdvanceReport& report) const;
+  /// they may still be apart by their gaps. Changes the momenta of the part. impacts: of the tries of this
+  /// step.
+  void strike(double h, Cluster& part, ImpactMemory& impacts, AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.
   /// Returns the forces of the contacts, their impulses over h.

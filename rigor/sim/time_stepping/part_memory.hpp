@@ -18,6 +18,10 @@ struct MovedPart {
   AdvanceReport report;
 };
 
+/// Whether two lists of contacts, found at one instant, pose the same problem. What a model says of a pair,
+/// and how surfaces bend, follows from the key and the points.
+bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>& b);
+
 /// The parts that the tries of one step have moved. Where tries differ elsewhere only, a part is the same
 /// problem again, bit for bit, and its answer is known.
 class PartMemory {

@@ -97,6 +97,7 @@ double TimeStepper::take_step(double h, State& state) {
 
   // What the tries of this step show is for this step.
   moved_.clear();
+  impacts_.clear();
   contacts_.begin_step(state);
   Foresight foresight{h, std::vector<double>(at(model_->body_count()), 0.0)};
   const Cluster start = cluster_in(state);
@@ -205,7 +206,7 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
   trial.parts = connected_parts(start, contacts, environment_);
   const auto move = [&](Cluster moving) {
     MovedPart result;
-    impulses_.strike(trial.h, moving, result.report);
+    impulses_.strike(trial.h, moving, impacts_, result.report);
     result.struck = moving.phases;
     result.forces = impulses_.move(trial.h, theta, moving, result.report);
     hold_joints(moving, result.report);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
+#include "rigor/sim/time_stepping/impact_memory.hpp"
 #include "rigor/sim/time_stepping/impulse_step.hpp"
 #include "rigor/sim/time_stepping/part_memory.hpp"
 #include "rigor/sim/time_stepping/step_contacts.hpp"
@@ -83,7 +84,8 @@ class TimeStepper : public FixedStepStepper {
   JointProjection joints_;
   ImpulseStep impulses_;
   StepContacts contacts_;
-  PartMemory moved_;  ///< The parts of the tries of one step.
+  PartMemory moved_;      ///< The parts of the tries of one step.
+  ImpactMemory impacts_;  ///< Their impacts.
   Executor executor_;
   std::vector<Contact> touching_;     ///< At the end of the last step,
   std::vector<ContactForce> forces_;  ///< and the forces of that step.

@@ -30,7 +30,7 @@ struct ProximalPoint {
 };
 
 /// With c = ρ, when the forces are a function of the motion, and the motion is the unknown. Nothing where the
-/// search along Newton's direction stops, or takes thirty steps.
+/// search along Newton's direction stops, or takes sixty steps.
 std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start);
 /// With motion and forces as unknowns and a moderate c. Nothing where the search stops, or takes twenty
 /// steps: contacts go to and fro between modes then.

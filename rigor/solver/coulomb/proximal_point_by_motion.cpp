@@ -78,7 +78,9 @@ class SearchByMotion {
 }  // namespace
 
 std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start) {
-  constexpr int most_steps = 30, most_halvings = 12;
+  // Of impacts of some seven hundred contacts one in seven was left unsolved with 30 steps a point, none with
+  // 60, which took three quarters of the steps: those of points that are given up are lost.
+  constexpr int most_steps = 60, most_halvings = 12;
   return newton_point(SearchByMotion(start), start.share, most_steps, most_halvings);
 }
 

@@ -1,0 +1,63 @@
+#include "rigor/sim/foreseen_work.hpp"
+
+#include "rigor/model/model_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rigor::foreseen_work_test {
+namespace {
+
+/// Bricks of 0.2 by 0.1 by 0.1 m on a floor: so many layers, each of two that lie across those below.
+std::shared_ptr<const Model> crossed_bricks(int layers) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, 0.5, 0});
+  const auto add = [&](const std::string& name, const Shape& shape, const Vec3& p, MotionType motion) {
+    BodyDescription body;
+    body.name = name;
+    body.motion = motion;
+    body.p_WU = p;
+    body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(body);
+  };
+  add("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), MotionType::fixed);
+  for (int layer = 0; layer < layers; ++layer) {
+    for (const double side : {-0.05, 0.05}) {
+      const bool is_along_x = layer % 2 == 0;
+      const Vec3 half = is_along_x ? Vec3(0.1, 0.045, 0.05) : Vec3(0.045, 0.1, 0.05);
+      const Vec3 p(is_along_x ? 0 : side, is_along_x ? side : 0, 0.05 + 0.1 * layer);
+      add("b" + std::to_string(2 * layer + (side > 0 ? 1 : 0)), Box{half}, p, MotionType::dynamic);
+    }
+  }
+  return builder.build();
+}
+
+ForeseenWork foresee(const std::shared_ptr<const Model>& model, Scheme scheme, double duration) {
+  Method method;
+  method.scheme = scheme;
+  RunSettings settings;
+  settings.duration = duration;
+  return foresee_work(model, method, settings, make_initial_state(*model));
+}
+
+TEST(ForeseenWork, OfOneLayerIsLittleAndOfATowerMuch) {
+  EXPECT_LT(foresee(crossed_bricks(1), Scheme::impulse_based, 2).seconds, 10);
+  EXPECT_GT(foresee(crossed_bricks(4), Scheme::impulse_based, 2).seconds, 60);
+}
+
+TEST(ForeseenWork, GrowsWithTheLengthOfTheRun) {
+  const auto model = crossed_bricks(1);
+  const double once = foresee(model, Scheme::penalty, 1).amount;
+  EXPECT_GT(once, 0);
+  EXPECT_NEAR(foresee(model, Scheme::penalty, 10).amount, 10 * once, 5 * once);
+}
+
+TEST(ForeseenWork, IsTheSameEachTimeAndNothingForOtherSchemes) {
+  const auto model = crossed_bricks(1);
+  EXPECT_EQ(foresee(model, Scheme::impulse_based, 1).amount, foresee(model, Scheme::impulse_based, 1).amount);
+  EXPECT_EQ(foresee(model, Scheme::time_stepping, 1).amount, 0);
+  EXPECT_EQ(foresee(model, Scheme::automatic, 1).amount, 0);
+}
+
+}  // namespace
+}  // namespace rigor::foreseen_work_test
