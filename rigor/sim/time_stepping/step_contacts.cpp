@@ -40,6 +40,7 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
 void StepContacts::begin_step(const State& state) {
   known_.clear();
   boxes_.clear();
+  reaches_.clear();
   for (int i = 0; i < model_.body_count(); ++i) boxes_.push_back(body_box(model_, state, i));
 }
 
@@ -52,8 +53,13 @@ const std::vector<Contact>& StepContacts::find(const State& state, const Pair& p
 }
 
 NearContacts StepContacts::near(const State& state, const Cluster& start, const Foresight& foresight) {
-  NearContacts near;
-  for (const Pair& pair : finder_.near_pairs(state, foresight.reaches)) {
+  // While no body comes farther, the same pairs are near.
+  if (reaches_ != foresight.reaches) {
+    pairs_ = finder_.near_pairs(state, foresight.reaches);
+    reaches_ = foresight.reaches;
+  }
+  NearContacts near{pairs_, {}, {}, {}, {}};
+  for (const Pair& pair : pairs_) {
     const auto met = foresight.met.find(pair);
     const bool has_met = met != foresight.met.end();
 
@@ -147,6 +153,19 @@ bool StepContacts::foresee(const State& state, const Cluster& start, const Pair&
     is_new = true;
   }
   return is_new;
+}
+
+std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair>& pairs) const {
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < model_.body_count(); ++i)
+    boxes.push_back(body_box(model_, state, i).grown(0.5 * tolerance_));
+  std::vector<Contact> contacts;
+  for (const Pair& pair : pairs) {
+    if (!boxes[rigor::at(pair.first)].overlaps(boxes[rigor::at(pair.second)])) continue;
+    const std::vector<Contact> found = finder_.find(state, pair, tolerance_);
+    contacts.insert(contacts.end(), found.begin(), found.end());
+  }
+  return contacts;
 }
 
 std::vector<Contact> StepContacts::at(const State& state, const std::vector<double>& reaches) {

@@ -16,7 +16,8 @@ namespace rigor {
 /// Contacts at the beginning of a step, and the pairs that move so far in it that their way is looked at.
 struct NearContacts {
   using Pair = Foresight::Pair;
-  std::vector<Contact> found;   ///< All within reach.
+  std::vector<Pair> pairs;     ///< Whose boxes meet, grown by their reaches: no others come near in the step.
+  std::vector<Contact> found;  ///< All within reach.
   std::vector<Contact> acting;  ///< Those that may act, with those that tries have foreseen.
   std::vector<Pair> far;        ///< Of these pairs nothing acts: they do not touch, and have not met so far.
   std::vector<Pair> watched;    ///< Their contacts act, but show one side of bodies that may move far.
@@ -40,6 +41,8 @@ class StepContacts {
   /// contacts there that were not foreseen: the next try has rows for them.
   bool foresee(const State& state, const Cluster& start, const Pair& pair, const std::array<Pose, 2>& poses,
                double left, Foresight& foresight);
+  /// Contacts of these pairs where they are, with gaps up to the contact tolerance.
+  std::vector<Contact> at(const State& state, const std::vector<Pair>& pairs) const;
   /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
   std::vector<Contact> at(const State& state, const std::vector<double>& reaches);
   /// Those among them that touch.
@@ -60,7 +63,9 @@ class StepContacts {
   double tolerance_;  ///< Of contacts [m].
   ConeMethod cone_;
   ContactFinder finder_;
-  std::vector<Aabb> boxes_;  ///< Of the bodies at the beginning of the step.
+  std::vector<Aabb> boxes_;      ///< Of the bodies at the beginning of the step.
+  std::vector<Pair> pairs_;      ///< That are near there,
+  std::vector<double> reaches_;  ///< with these reaches; none: not searched yet.
   /// The contacts there of pairs within margins that were asked for.
   std::map<std::pair<Pair, double>, std::vector<Contact>> known_;
   std::vector<double> thickness_;  ///< One per body [m].

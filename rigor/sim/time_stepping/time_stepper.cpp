@@ -243,9 +243,9 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
 /// pairs that overlap at the end.
 TimeStepper::Lesson TimeStepper::learn(const State& state, Foresight& foresight, Trial& trial) {
   Lesson lesson = learn_from_way(state, trial, foresight);
-  const bool grows = trial.reaches != foresight.reaches;
+  trial.is_as_far = trial.reaches == foresight.reaches;
   foresight.reaches = trial.reaches;
-  lesson.is_new |= grows;
+  lesson.is_new |= !trial.is_as_far;
 
   // A step that ends earlier has another end, and one that was not foreseen is not judged by it.
   if (lesson.until < trial.h) return lesson;
@@ -299,7 +299,9 @@ TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, Foresight& f
   State end = state;
   write(trial.end, end);
   std::map<Pair, double> misjudged;
-  trial.at_end = contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0));
+  // Bodies that came no farther than was thought have come near no others.
+  trial.at_end = trial.is_as_far ? contacts_.at(end, trial.near.pairs)
+                                 : contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0));
   for (const Contact& contact : *trial.at_end) {
     const double misjudgement = misjudgement_of(contact);
     double& worst = misjudged[{contact.body_A, contact.body_B}];

@@ -41,6 +41,7 @@ class TimeStepper : public FixedStepStepper {
     AdvanceReport report = {};
     std::vector<double> reaches;  ///< How far the points of each body have come, at most [m].
     NearContacts near;            ///< At the beginning.
+    bool is_as_far = false;       ///< Whether no body came farther than was foreseen.
     std::optional<std::vector<Contact>> at_end = {};  ///< Contacts there, where they were looked for.
     std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
     std::vector<ContactForce> forces = {};            ///< All through the step.

@@ -32,11 +32,20 @@ struct ProximalPoint {
 /// With c = ρ, when the forces are a function of the motion, and the motion is the unknown. Nothing where the
 /// search along Newton's direction stops, or takes sixty steps.
 std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start);
-/// With motion and forces as unknowns and a moderate c. Nothing where the search stops, or takes twenty
-/// steps: contacts go to and fro between modes then.
-std::optional<ProximalPoint> proximal_point_by_forces(const ProximalStart& start);
+/// Below kRounding of its terms (their size) the miss of the law is their rounding, times ρ. It need not be
+/// smaller than a share of what the point moves: that share is what the points lose of their speed of
+/// convergence.
+inline bool is_near_enough(double error, double size, double share_of_move) {
+  constexpr double kRounding = 1e-12;
+  return error <= std::max(kRounding * size, share_of_move);
+}
+/// Whether a step creeps along the rounding of the miss: where this is small it does not halve it.
+inline bool is_at_rounding(double error, double error_of_step, double size) {
+  constexpr double kStuck = 1e-9, kCreep = 0.5;
+  return error <= kStuck * size && !(error_of_step <= kCreep * error);
+}
 
-/// Newton's method with a search along its line, for both. A Search has
+/// Newton's method with a search along its line. A Search has
 ///   start()                           the first place: at least v and momentum = M v;
 ///   measure(place, miss)              how the place misses the law: at least `error`, in the metric of the
 ///                                     masses, and modes;
@@ -48,10 +57,6 @@ template <typename Search>
 std::optional<ProximalPoint> newton_point(const Search& search, double share, int most_steps,
                                           int most_halvings) {
   constexpr double kDecrease = 1e-4;
-  // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
-  // of what the point moves: that share is what the points lose of their speed of convergence. Below kStuck a
-  // step that does not halve the miss creeps along its rounding.
-  constexpr double kRounding = 1e-12, kStuck = 1e-9, kCreep = 0.5;
   const auto start = search.start();
   auto place = start, there = start;
   typename Search::Miss miss, trial;
@@ -62,7 +67,7 @@ std::optional<ProximalPoint> newton_point(const Search& search, double share, in
                         std::sqrt(place.v.dot(place.momentum));
     const double moved_by =
         std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));
-    if (miss.error <= std::max(kRounding * size, share * moved_by))
+    if (is_near_enough(miss.error, size, share * moved_by))
       return ProximalPoint{forces.lambda, miss.modes, false};
 
     // Newton's direction, and halving until the error falls in proportion to the step.
@@ -76,9 +81,7 @@ std::optional<ProximalPoint> newton_point(const Search& search, double share, in
       search.move(place, length, way, there);
       search.measure(there, trial);
     }
-    const bool is_stuck = miss.error <= kStuck * size;
-    if (is_stuck && !(trial.error <= kCreep * miss.error))
-      return ProximalPoint{forces.lambda, miss.modes, true};
+    if (is_at_rounding(miss.error, trial.error, size)) return ProximalPoint{forces.lambda, miss.modes, true};
     if (!(trial.error < miss.error)) return std::nullopt;
     std::swap(place, there);
     std::swap(miss, trial);

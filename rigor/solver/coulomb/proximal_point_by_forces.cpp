@@ -1,7 +1,11 @@
+#include "rigor/solver/coulomb/proximal_point_by_forces.hpp"
+
 #include "rigor/solver/coulomb/alart_curnier.hpp"
-#include "rigor/solver/coulomb/proximal_point.hpp"
 
 #include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -13,111 +17,219 @@ namespace {
 // whatever ρ.
 constexpr double kScale = 10;
 
-/// λ = P(λ - c w) and M v = Lᵀ λ, with w = L v + b + (λ - λ⁰) / ρ.
-class SearchByForces {
- public:
-  explicit SearchByForces(const ProximalStart& from) : from_(from) {}
+// By how much of its length a step has to lessen the error, and a simplified step to be shorter than it.
+constexpr double kDecrease = 1e-4;
+constexpr double kContraction = 0.5;
 
-  /// A motion v and forces λ, with what the search along a line needs of them: all of it is linear.
-  struct Place {
-    VecX v;
-    VecX rates;     ///< L v (3n).
-    VecX momentum;  ///< M v.
-    VecX lambda;    ///< 3n.
-    VecX pulled;    ///< Lᵀ λ.
-  };
-
-  /// How a place misses the law.
-  struct Miss {
-    VecX F;  ///< λ - P(λ - c w) (3n).
-    std::vector<ContactMode> modes;
-    std::vector<Mat3> slopes;  ///< dP / dx, one per contact.
-    double error = 0;          ///< Of F and of M v - Lᵀ λ.
-  };
-
-  const ContactMotion& motion() const { return from_.motion; }
-  Place start() const { return place_at(from_.v, from_.lambda); }
-
-  void measure(const Place& place, Miss& miss) const {
-    const std::size_t count = from_.laws.mu.size();
-    miss.F.resize(place.lambda.size());
-    miss.modes.resize(count);
-    miss.slopes.resize(count);
-    const VecX momentum = place.momentum - place.pulled;
-    double square = std::max(0.0, momentum.dot(from_.motion.lift(momentum)));
-    for (std::size_t k = 0; k < count; ++k) {
-      const Index row = 3 * static_cast<Index>(k);
-      const double mass = from_.masses(row / 3);
-      const Vec3 lambda = place.lambda.segment<3>(row);
-      const Vec3 w = place.rates.segment<3>(row) + from_.laws.b.segment<3>(row) +
-                     (lambda - from_.lambda.segment<3>(row)) / (from_.rho * mass);
-      const ProjectedForce projection = alart_curnier(from_.laws, k, lambda - kScale * mass * w);
-      miss.modes[k] = projection.mode;
-      miss.slopes[k] = projection.slope;
-      miss.F.segment<3>(row) = lambda - projection.force;
-      square += miss.F.segment<3>(row).squaredNorm() / mass;
-    }
-    miss.error = std::sqrt(square);
+/// Adds the roots of a t² + 2 b t + c at which x + t dx is above zero.
+void add_roots(double a, double b, double c, const Vec2& normal, std::vector<double>& roots) {
+  const double discriminant = b * b - a * c;
+  if (!(discriminant > 0) || a == 0) return;
+  for (const double sign : {-1.0, 1.0}) {
+    const double t = (-b + sign * std::sqrt(discriminant)) / a;
+    if (normal.x() + t * normal.y() > 0) roots.push_back(t);
   }
-
-  /// With S = dP/dx, dF = 0 gives
-  ///   (1 - (1 - c/ρ) S) dλ = -c S L dv - F,  so  dλ = -D L dv - r,
-  /// and what is left is (M + Lᵀ D L) dv = Lᵀ (λ - r) - M v.
-  Place way_from(const Place& place, const Miss& miss) const {
-    std::vector<Mat3> D(miss.slopes.size(), Mat3::Zero());
-    VecX r = miss.F;
-    for (std::size_t k = 0; k < D.size(); ++k) {
-      if (miss.modes[k] == ContactMode::open) continue;
-      const Index row = 3 * static_cast<Index>(k);
-      if (miss.modes[k] == ContactMode::stick) {
-        // S = 1.
-        D[k].diagonal().setConstant(from_.rho * from_.masses(row / 3));
-        r.segment<3>(row) *= from_.rho / kScale;
-        continue;
-      }
-      const Mat3& S = miss.slopes[k];
-      const Mat3 inverse = Mat3(Mat3::Identity() - (1 - kScale / from_.rho) * S).inverse();
-      D[k] = kScale * from_.masses(row / 3) * inverse * S;
-      r.segment<3>(row) = inverse * miss.F.segment<3>(row);
-    }
-    const VecX wanted = place.pulled - from_.motion.pull(r) - place.momentum;
-    VecX dv = from_.motion.newton_step(D, wanted, Symmetry::none);
-    const VecX rates = from_.motion.rates(dv);
-    VecX dlambda = -r;
-    for (std::size_t k = 0; k < D.size(); ++k) {
-      const Index row = 3 * static_cast<Index>(k);
-      dlambda.segment<3>(row) -= D[k] * rates.segment<3>(row);
-    }
-    return place_at(std::move(dv), std::move(dlambda));
-  }
-
-  static void move(const Place& place, double length, const Place& way, Place& there) {
-    there.v = place.v + length * way.v;
-    there.rates = place.rates + length * way.rates;
-    there.momentum = place.momentum + length * way.momentum;
-    there.lambda = place.lambda + length * way.lambda;
-    there.pulled = place.pulled + length * way.pulled;
-  }
-
-  static const Place& forces_of(const Place& place, const Miss&) { return place; }
-
- private:
-  Place place_at(VecX v, VecX lambda) const {
-    Place place{std::move(v), {}, {}, std::move(lambda), {}};
-    place.rates = from_.motion.rates(place.v);
-    place.momentum = from_.motion.weigh(place.v);
-    place.pulled = from_.motion.pull(place.lambda);
-    return place;
-  }
-
-  const ProximalStart& from_;
-};
+}
 
 }  // namespace
 
-std::optional<ProximalPoint> proximal_point_by_forces(const ProximalStart& start) {
-  constexpr int most_steps = 20, most_halvings = 6;
-  return newton_point(SearchByForces(start), start.share, most_steps, most_halvings);
+Vec3 SearchByForces::argument(const Place& place, Index contact) const {
+  const Index row = 3 * contact;
+  const double mass = from_->masses(contact);
+  const Vec3 lambda = place.lambda.segment<3>(row);
+  const Vec3 w = place.rates.segment<3>(row) + from_->laws.b.segment<3>(row) +
+                 (lambda - from_->lambda.segment<3>(row)) / (from_->rho * mass);
+  return lambda - kScale * mass * w;
+}
+
+void SearchByForces::complete(Place& place) const {
+  from_->motion.rates(place.v, place.rates);
+  from_->motion.weigh(place.v, place.momentum);
+  from_->motion.pull(place.lambda, place.pulled);
+}
+
+void SearchByForces::measure(const Place& place, Miss& miss) {
+  const std::size_t count = from_->laws.mu.size();
+  miss.F.resize(place.lambda.size());
+  miss.modes.resize(count);
+  miss.slopes.resize(count);
+  momentum_ = place.momentum - place.pulled;
+  from_->motion.lift(momentum_, lifted_);
+  double square = std::max(0.0, momentum_.dot(lifted_));
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index i = static_cast<Index>(k);
+    const ProjectedForce projection = alart_curnier(from_->laws, k, argument(place, i));
+    miss.modes[k] = projection.mode;
+    miss.slopes[k] = projection.slope;
+    miss.F.segment<3>(3 * i) = place.lambda.segment<3>(3 * i) - projection.force;
+    square += miss.F.segment<3>(3 * i).squaredNorm() / from_->masses(i);
+  }
+  miss.error = std::sqrt(square);
+}
+
+/// With S = dP/dx, dF = 0 gives
+///   (1 - (1 - c/ρ) S) dλ = -c S L dv - F,  so  dλ = -D L dv - r,
+/// and what is left is (M + Lᵀ D L) dv = Lᵀ (λ - r) - M v.
+void SearchByForces::linearise(const Miss& miss) {
+  const double rho = from_->rho;
+  rho_ = rho;
+  modes_ = miss.modes;
+  D_.assign(modes_.size(), Mat3::Zero());
+  inverse_.resize(modes_.size());
+  for (std::size_t k = 0; k < D_.size(); ++k) {
+    if (modes_[k] != ContactMode::slide) continue;
+    const Mat3& S = miss.slopes[k];
+    inverse_[k] = Mat3(Mat3::Identity() - (1 - kScale / rho) * S).inverse();
+    D_[k] = kScale * from_->masses(static_cast<Index>(k)) * inverse_[k] * S;
+  }
+  // S = 1 where a contact sticks.
+  for (std::size_t k = 0; k < D_.size(); ++k)
+    if (modes_[k] == ContactMode::stick)
+      D_[k].diagonal().setConstant(rho * from_->masses(static_cast<Index>(k)));
+  from_->motion.factor(D_, Symmetry::none);
+}
+
+void SearchByForces::direct(const Place& place, const Miss& miss, Place& way) {
+  r_ = miss.F;
+  for (std::size_t k = 0; k < D_.size(); ++k) {
+    const Index row = 3 * static_cast<Index>(k);
+    if (modes_[k] == ContactMode::stick) r_.segment<3>(row) *= rho_ / kScale;
+    if (modes_[k] == ContactMode::slide) r_.segment<3>(row) = inverse_[k] * miss.F.segment<3>(row);
+  }
+  from_->motion.pull(r_, momentum_);
+  momentum_ = place.pulled - momentum_ - place.momentum;
+  way.v = from_->motion.solve(momentum_);
+  from_->motion.rates(way.v, way.rates);
+  from_->motion.weigh(way.v, way.momentum);
+  way.lambda = -r_;
+  for (std::size_t k = 0; k < D_.size(); ++k) {
+    const Index row = 3 * static_cast<Index>(k);
+    if (modes_[k] != ContactMode::open) way.lambda.segment<3>(row) -= D_[k] * way.rates.segment<3>(row);
+  }
+  from_->motion.pull(way.lambda, way.pulled);
+}
+
+void SearchByForces::move(const Place& place, double length, const Place& way, Place& there) {
+  there.v = place.v + length * way.v;
+  there.rates = place.rates + length * way.rates;
+  there.momentum = place.momentum + length * way.momentum;
+  there.lambda = place.lambda + length * way.lambda;
+  there.pulled = place.pulled + length * way.pulled;
+}
+
+/// Length of a step, in the metric of the masses.
+double SearchByForces::size_of(const Place& way) const {
+  double square = std::max(0.0, way.v.dot(way.momentum));
+  for (Index i = 0; i < from_->masses.size(); ++i)
+    square += way.lambda.segment<3>(3 * i).squaredNorm() / from_->masses(i);
+  return std::sqrt(square);
+}
+
+/// Whether the step from `there_` with the matrix as it is, is shorter than the one that led there: the law
+/// bends on the way, and more forces miss it than before, but the next steps will put this right. (Deuflhard,
+/// Newton Methods for Nonlinear Problems, 2004: the natural monotonicity test.)
+bool SearchByForces::contracts(double length) {
+  direct(there_, trial_, simplified_);
+  return size_of(simplified_) <= (1 - kContraction * length) * size_of(way_);
+}
+
+/// Shares of the way at which contacts change their mode, in order.
+void SearchByForces::find_kinks() {
+  kinks_.clear();
+  move(place_, 1, way_, there_);
+  for (Index i = 0; i < from_->masses.size(); ++i) {
+    const Vec3 x = argument(place_, i), dx = argument(there_, i) - x;
+    const double mu = from_->laws.mu[static_cast<std::size_t>(i)], square = mu * mu;
+    if (dx.z() != 0) kinks_.push_back(-x.z() / dx.z());
+    // |x_t| = μ x_n.
+    add_roots(dx.head<2>().squaredNorm() - square * dx.z() * dx.z(),
+              x.head<2>().dot(dx.head<2>()) - square * x.z() * dx.z(),
+              x.head<2>().squaredNorm() - square * x.z() * x.z(), {x.z(), dx.z()}, kinks_);
+  }
+  std::erase_if(kinks_, [](double t) { return !(t > 0 && t < 1); });
+  std::sort(kinks_.begin(), kinks_.end());
+}
+
+/// The best place just beyond the first kinks of the way: there the next direction is that of other modes.
+bool SearchByForces::search_kinks() {
+  constexpr double kBeyond = 1e-9;
+  constexpr int kMostRises = 2;
+  find_kinks();
+  double least = miss_.error;
+  int rises = 0;
+  for (const double kink : kinks_) {
+    move(place_, std::min(1.0, (1 + kBeyond) * kink), way_, there_);
+    measure(there_, trial_);
+    if (trial_.error < least) {
+      least = trial_.error;
+      std::swap(best_, trial_);
+      std::swap(best_place_, there_);
+    } else if (++rises == kMostRises) {
+      break;
+    }
+  }
+  if (!(least < miss_.error)) return false;
+  std::swap(best_, trial_);
+  std::swap(best_place_, there_);
+  return true;
+}
+
+/// The step along the way: all of it, to a kink, or halved until the error falls in proportion to the step.
+bool SearchByForces::search_line() {
+  constexpr int kMostHalvings = 6;
+  move(place_, 1, way_, there_);
+  measure(there_, trial_);
+  if (trial_.error <= (1 - kDecrease) * miss_.error || contracts(1) || search_kinks()) return true;
+  double length = 0.5;
+  for (int k = 0; k < kMostHalvings; ++k, length *= 0.5) {
+    move(place_, length, way_, there_);
+    measure(there_, trial_);
+    if (trial_.error <= (1 - kDecrease * length) * miss_.error || contracts(length)) return true;
+  }
+  return false;
+}
+
+/// A step with the matrix of an earlier one, where the contacts do the same: whether it serves as well.
+bool SearchByForces::repeats() {
+  constexpr double kGood = 0.1;
+  if (rho_ != from_->rho || modes_ != miss_.modes) return false;
+  direct(place_, miss_, way_);
+  move(place_, 1, way_, there_);
+  measure(there_, trial_);
+  return trial_.error <= kGood * miss_.error;
+}
+
+std::optional<ProximalPoint> SearchByForces::find(const ProximalStart& from) {
+  constexpr int kMostSteps = 20;
+  from_ = &from;
+  start_.v = from.v;
+  start_.lambda = from.lambda;
+  complete(start_);
+  place_ = start_;
+  measure(place_, miss_);
+  for (int step = 0; step < kMostSteps; ++step) {
+    from.motion.lift(place_.pulled, lifted_);
+    const double size = std::sqrt(place_.pulled.dot(lifted_)) + std::sqrt(place_.v.dot(place_.momentum));
+    const double moved_by =
+        std::sqrt(std::max(0.0, (place_.v - start_.v).dot(place_.momentum - start_.momentum)));
+    if (is_near_enough(miss_.error, size, from.share * moved_by))
+      return ProximalPoint{place_.lambda, miss_.modes, false};
+
+    // Newton's direction, with a matrix that is known or a new one.
+    bool is_found = repeats();
+    if (!is_found) {
+      linearise(miss_);
+      direct(place_, miss_, way_);
+      if (!way_.v.allFinite()) return std::nullopt;
+      is_found = search_line();
+    }
+    if (is_at_rounding(miss_.error, trial_.error, size))
+      return ProximalPoint{place_.lambda, miss_.modes, true};
+    if (!is_found) return std::nullopt;
+    std::swap(place_, there_);
+    std::swap(miss_, trial_);
+  }
+  return std::nullopt;
 }
 
 }  // namespace rigor

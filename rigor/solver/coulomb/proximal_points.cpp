@@ -3,6 +3,7 @@
 #include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 #include "rigor/solver/coulomb/proximal_point.hpp"
+#include "rigor/solver/coulomb/proximal_point_by_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,9 +98,9 @@ class ProximalPoints {
   }
 
  private:
-  std::optional<ProximalPoint> next_point(double share) const {
+  std::optional<ProximalPoint> next_point(double share) {
     const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_, share};
-    return is_bold_ ? proximal_point_by_forces(start) : proximal_point_by_motion(start);
+    return is_bold_ ? by_forces_.find(start) : proximal_point_by_motion(start);
   }
 
   /// Forces as an answer to the problem.
@@ -147,6 +148,7 @@ class ProximalPoints {
   VecX lambda_;  ///< λ⁰.
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_;
+  SearchByForces by_forces_;
   bool is_bold_;                  ///< Whether the forces are unknowns, too.
   std::optional<Offer> best_;     ///< Of the least residual.
   std::optional<Offer> nearest_;  ///< Of those that solve the law with a b' within the resolution.
@@ -158,7 +160,14 @@ std::optional<CoulombSolution> solve_by_proximal_points(const CoulombProblem& la
                                                         const ContactMotion& motion,
                                                         const std::function<double(const VecX&)>& size_of,
                                                         const ProximalPointOptions& options) {
-  return ProximalPoints(laws, motion, size_of, options).run();
+  std::optional<CoulombSolution> found = ProximalPoints(laws, motion, size_of, options).run();
+  if (!options.is_bold || (found && found->converged)) return found;
+
+  // Bold steps may lead to where no search gets on: once more from the beginning, without them.
+  ProximalPointOptions careful = options;
+  careful.is_bold = false;
+  std::optional<CoulombSolution> other = ProximalPoints(laws, motion, size_of, careful).run();
+  return !found || (other && other->residual < found->residual) ? other : found;
 }
 
 }  // namespace rigor

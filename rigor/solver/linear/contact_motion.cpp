@@ -36,15 +36,19 @@ MatX low_rank_factor(const MatX& A) {
 
 FactoredMotion::FactoredMotion(const MatX& A) : L_(low_rank_factor(A)), diagonal_(A.diagonal()) {}
 
-VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+void FactoredMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
   MatX scaled = MatX::Zero(L_.rows(), L_.cols());
   for (std::size_t k = 0; k < D.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
     if (!D[k].isZero(0)) scaled.middleRows<3>(row) = D[k] * L_.middleRows<3>(row);
   }
-  MatX H = L_.transpose() * scaled;
-  H.diagonal().array() += 1.0;
-  return symmetry == Symmetry::positive ? symmetric_solution(H, g) : square_solution(H, g);
+  matrix_ = L_.transpose() * scaled;
+  matrix_.diagonal().array() += 1.0;
+  symmetry_ = symmetry;
+}
+
+VecX FactoredMotion::solve(const VecX& g) const {
+  return symmetry_ == Symmetry::positive ? symmetric_solution(matrix_, g) : square_solution(matrix_, g);
 }
 
 SparseMotion::SparseMotion(const ContactRows& rows)
@@ -52,12 +56,15 @@ SparseMotion::SparseMotion(const ContactRows& rows)
   if (!rows.joints) matrix_.emplace(rows_, pattern_);
 }
 
-VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
-  if (matrix_) {
+void SparseMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
+  if (matrix_)
     matrix_->factor(D, symmetry == Symmetry::positive);
-    return matrix_->solve(g);
-  }
-  return NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive).solve(g);
+  else
+    held_.emplace(NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive));
+}
+
+VecX SparseMotion::solve(const VecX& g) const {
+  return matrix_ ? matrix_->solve(g) : held_->solve(g);
 }
 
 VecX effective_masses(const VecX& diagonal) {

@@ -17,14 +17,33 @@ enum class Symmetry { positive, none };
 class ContactMotion {
  public:
   virtual ~ContactMotion() = default;
-  virtual VecX rates(const VecX& v) const = 0;      ///< L v (3n).
-  virtual VecX pull(const VecX& lambda) const = 0;  ///< Lᵀ λ, with what joints do about it.
-  virtual VecX weigh(const VecX& v) const = 0;      ///< M v.
-  virtual VecX lift(const VecX& p) const = 0;       ///< M⁻¹ p.
-  virtual const VecX& diagonal() const = 0;         ///< Of A (3n).
-  /// (M + Lᵀ D L)⁻¹ g, with one 3 × 3 matrix D a contact, positive semidefinite or any; of the motions that
-  /// joints allow the one that solves it on them.
-  virtual VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const = 0;
+  virtual void rates(const VecX& v, VecX& w) const = 0;      ///< L v (3n).
+  virtual void pull(const VecX& lambda, VecX& p) const = 0;  ///< Lᵀ λ, with what joints do about it.
+  virtual void weigh(const VecX& v, VecX& p) const = 0;      ///< M v.
+  virtual void lift(const VecX& p, VecX& v) const = 0;       ///< M⁻¹ p.
+  virtual const VecX& diagonal() const = 0;                  ///< Of A (3n).
+  /// Begins with the matrix M + Lᵀ D L of a Newton step, with one 3 × 3 matrix D a contact, positive
+  /// semidefinite or any.
+  virtual void factor(const std::vector<Mat3>& D, Symmetry symmetry) const = 0;
+  /// (M + Lᵀ D L)⁻¹ g of the matrix begun with last; of the motions that joints allow the one that solves it
+  /// on them.
+  virtual VecX solve(const VecX& g) const = 0;
+
+  VecX rates(const VecX& v) const { return result_of(&ContactMotion::rates, v); }
+  VecX pull(const VecX& lambda) const { return result_of(&ContactMotion::pull, lambda); }
+  VecX weigh(const VecX& v) const { return result_of(&ContactMotion::weigh, v); }
+  VecX lift(const VecX& p) const { return result_of(&ContactMotion::lift, p); }
+  VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+    factor(D, symmetry);
+    return solve(g);
+  }
+
+ private:
+  VecX result_of(void (ContactMotion::*map)(const VecX&, VecX&) const, const VecX& x) const {
+    VecX result;
+    (this->*map)(x, result);
+    return result;
+  }
 };
 
 /// Of a matrix A: L is its Cholesky factor with diagonal pivoting, which stops at round-off (1e-14 of the
@@ -32,16 +51,20 @@ class ContactMotion {
 class FactoredMotion : public ContactMotion {
  public:
   explicit FactoredMotion(const MatX& A);
-  VecX rates(const VecX& v) const override { return L_ * v; }
-  VecX pull(const VecX& lambda) const override { return L_.transpose() * lambda; }
-  VecX weigh(const VecX& v) const override { return v; }
-  VecX lift(const VecX& p) const override { return p; }
+  using ContactMotion::lift, ContactMotion::pull, ContactMotion::rates, ContactMotion::weigh;
+  void rates(const VecX& v, VecX& w) const override { w.noalias() = L_ * v; }
+  void pull(const VecX& lambda, VecX& p) const override { p.noalias() = L_.transpose() * lambda; }
+  void weigh(const VecX& v, VecX& p) const override { p = v; }
+  void lift(const VecX& p, VecX& v) const override { v = p; }
   const VecX& diagonal() const override { return diagonal_; }
-  VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const override;
+  void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
+  VecX solve(const VecX& g) const override;
 
  private:
   MatX L_;  ///< 3n × rank.
   VecX diagonal_;
+  mutable MatX matrix_;  ///< Of the Newton step.
+  mutable Symmetry symmetry_ = Symmetry::none;
 };
 
 /// Of rows on bodies: L is J, M the masses; each Newton step is one sparse factorisation.
@@ -52,18 +75,24 @@ class SparseMotion : public ContactMotion {
   SparseMotion(const SparseMotion&) = delete;
   SparseMotion& operator=(const SparseMotion&) = delete;
   const EliminationPattern& pattern() const { return pattern_; }
-  VecX rates(const VecX& v) const override { return contact_rates(rows_, v); }
-  VecX pull(const VecX& lambda) const override { return with_joints(rows_, contact_wrenches(rows_, lambda)); }
-  VecX weigh(const VecX& v) const override { return node_wrenches(rows_, v); }
-  VecX lift(const VecX& p) const override { return node_accelerations(rows_, p); }
+  using ContactMotion::lift, ContactMotion::pull, ContactMotion::rates, ContactMotion::weigh;
+  void rates(const VecX& v, VecX& w) const override { contact_rates(rows_, v, w); }
+  void pull(const VecX& lambda, VecX& p) const override {
+    contact_wrenches(rows_, lambda, p);
+    if (rows_.joints) p = with_joints(rows_, p);
+  }
+  void weigh(const VecX& v, VecX& p) const override { node_wrenches(rows_, v, p); }
+  void lift(const VecX& p, VecX& v) const override { node_accelerations(rows_, p, v); }
   const VecX& diagonal() const override { return diagonal_; }
-  VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const override;
+  void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
+  VecX solve(const VecX& g) const override;
 
  private:
   const ContactRows& rows_;
   EliminationPattern pattern_;
   VecX diagonal_;
-  mutable std::optional<ContactMatrix> matrix_;  ///< Of the Newton steps; with joints NodeSystem has them.
+  mutable std::optional<ContactMatrix> matrix_;  ///< Of the Newton steps;
+  mutable std::optional<NodeSystem> held_;       ///< with joints.
 };
 
 /// 1 / mean diagonal of A of each contact (n, [kg] where A is in [1/kg]); a contact whose block vanishes

@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/contact_rows.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/solver/linear/two_doubles.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,21 +10,48 @@ namespace rigor {
 
 using Eigen::Index;
 
-VecX contact_rates(const ContactRows& rows, const VecX& V) {
-  VecX rates = VecX::Zero(3 * static_cast<Index>(rows.contacts.size()));
+namespace {
+
+/// w += J V of one side.
+void add_rates(const double* J, const double* V, double* w) {
+  for (int r = 0; r < 3; ++r, J += 6)
+    w[r] += (J[0] * V[0] + (J[1] * V[1] + J[2] * V[2])) + (J[3] * V[3] + (J[4] * V[4] + J[5] * V[5]));
+}
+
+/// p += Jᵀ λ of one side.
+void add_wrench(const double* J, const double* lambda, double* p) {
+  for (int c = 0; c < 6; c += 2) {
+    const TwoDoubles of_row =
+        lambda[0] * two_of(J + c) + (lambda[1] * two_of(J + 6 + c) + lambda[2] * two_of(J + 12 + c));
+    put_two(two_of(p + c) + of_row, p + c);
+  }
+}
+
+}  // namespace
+
+void contact_rates(const ContactRows& rows, const VecX& V, VecX& rates) {
+  rates.setZero(3 * static_cast<Index>(rows.contacts.size()));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i)
     for (const ContactRows::Side& side : rows.contacts[i])
-      if (side.node >= 0) rates.segment<3>(3 * static_cast<Index>(i)) += side.J * V.segment<6>(6 * side.node);
+      if (side.node >= 0) add_rates(side.J.data(), V.data() + 6 * side.node, rates.data() + 3 * i);
+}
+
+VecX contact_rates(const ContactRows& rows, const VecX& V) {
+  VecX rates;
+  contact_rates(rows, V, rates);
   return rates;
 }
 
-VecX contact_wrenches(const ContactRows& rows, const VecX& lambda) {
-  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
+void contact_wrenches(const ContactRows& rows, const VecX& lambda, VecX& wrenches) {
+  wrenches.setZero(6 * static_cast<Index>(rows.node_count()));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i)
     for (const ContactRows::Side& side : rows.contacts[i])
-      if (side.node >= 0)
-        wrenches.segment<6>(6 * side.node) +=
-            side.J.transpose() * lambda.segment<3>(3 * static_cast<Index>(i));
+      if (side.node >= 0) add_wrench(side.J.data(), lambda.data() + 3 * i, wrenches.data() + 6 * side.node);
+}
+
+VecX contact_wrenches(const ContactRows& rows, const VecX& lambda) {
+  VecX wrenches;
+  contact_wrenches(rows, lambda, wrenches);
   return wrenches;
 }
 
@@ -72,21 +100,31 @@ VecX with_joints(const ContactRows& rows, const VecX& p) {
   return result;
 }
 
-VecX node_accelerations(const ContactRows& rows, const VecX& p) {
-  VecX a(p.size());
+void node_accelerations(const ContactRows& rows, const VecX& p, VecX& a) {
+  a.resize(p.size());
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const Index row = 6 * static_cast<Index>(k);
-    a.segment<6>(row) = rows.inverse_masses[k] * p.segment<6>(row);
+    a.segment<6>(row).noalias() = rows.inverse_masses[k] * p.segment<6>(row);
   }
+}
+
+VecX node_accelerations(const ContactRows& rows, const VecX& p) {
+  VecX a;
+  node_accelerations(rows, p, a);
   return a;
 }
 
-VecX node_wrenches(const ContactRows& rows, const VecX& V) {
-  VecX p(V.size());
+void node_wrenches(const ContactRows& rows, const VecX& V, VecX& p) {
+  p.resize(V.size());
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const Index row = 6 * static_cast<Index>(k);
-    p.segment<6>(row) = rows.masses[k] * V.segment<6>(row);
+    p.segment<6>(row).noalias() = rows.masses[k] * V.segment<6>(row);
   }
+}
+
+VecX node_wrenches(const ContactRows& rows, const VecX& V) {
+  VecX p;
+  node_wrenches(rows, V, p);
   return p;
 }
 
@@ -95,8 +133,8 @@ VecX free_diagonal(const ContactRows& rows) {
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
     for (const ContactRows::Side& side : rows.contacts[i]) {
       if (side.node < 0) continue;
-      const ContactRows::Block moved = side.J * rows.inverse_masses[at(side.node)];
-      diagonal.segment<3>(3 * static_cast<Index>(i)) += moved.cwiseProduct(side.J).rowwise().sum();
+      const Eigen::Matrix<double, 3, 6> J = side.J, moved = J * rows.inverse_masses[at(side.node)];
+      diagonal.segment<3>(3 * static_cast<Index>(i)) += moved.cwiseProduct(J).rowwise().sum();
     }
   }
   return diagonal;
@@ -134,21 +172,22 @@ VecX contact_diagonal(const ContactRows& rows) {
 }
 
 VecX term_sizes(const ContactRows& rows, const VecX& lambda) {
-  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
+  const auto sized = [](const ContactRows::Block& J) { return ContactRows::Block(J.cwiseAbs()); };
+  const VecX sizes_of_lambda = lambda.cwiseAbs();
+  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count())), accelerations(wrenches.size());
   for (std::size_t i = 0; i < rows.contacts.size(); ++i)
     for (const ContactRows::Side& side : rows.contacts[i])
       if (side.node >= 0)
-        wrenches.segment<6>(6 * side.node) +=
-            side.J.cwiseAbs().transpose() * lambda.segment<3>(3 * static_cast<Index>(i)).cwiseAbs();
+        add_wrench(sized(side.J).data(), sizes_of_lambda.data() + 3 * i, wrenches.data() + 6 * side.node);
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const Index row = 6 * static_cast<Index>(k);
-    wrenches.segment<6>(row) = rows.inverse_masses[k].cwiseAbs() * wrenches.segment<6>(row).eval();
+    accelerations.segment<6>(row).noalias() = rows.inverse_masses[k].cwiseAbs() * wrenches.segment<6>(row);
   }
   VecX sizes = VecX::Zero(lambda.size());
   for (std::size_t i = 0; i < rows.contacts.size(); ++i)
     for (const ContactRows::Side& side : rows.contacts[i])
       if (side.node >= 0)
-        sizes.segment<3>(3 * static_cast<Index>(i)) += side.J.cwiseAbs() * wrenches.segment<6>(6 * side.node);
+        add_rates(sized(side.J).data(), accelerations.data() + 6 * side.node, sizes.data() + 3 * i);
   return sizes;
 }
 

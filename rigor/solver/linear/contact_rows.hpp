@@ -16,7 +16,8 @@ namespace rigor {
 ///
 /// Joints are equations G V = 0 that hold throughout: with them M⁻¹ in A is M⁻¹ - M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁺ G M⁻¹.
 struct ContactRows {
-  using Block = Eigen::Matrix<double, 3, 6>;
+  /// By rows: forces are pulled back to wrenches a whole row at a time.
+  using Block = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
   /// One body of a contact. Bodies that do not give way (node -1) have no part in J.
   struct Side {
     int node = -1;
@@ -41,8 +42,10 @@ void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> 
 
 /// J V (3n).
 VecX contact_rates(const ContactRows& rows, const VecX& V);
+void contact_rates(const ContactRows& rows, const VecX& V, VecX& rates);
 /// Jᵀ λ (6 × nodes).
 VecX contact_wrenches(const ContactRows& rows, const VecX& lambda);
+void contact_wrenches(const ContactRows& rows, const VecX& lambda, VecX& wrenches);
 /// Calls add(row, node, coefficients) for all coefficients of the joints' independent rows (those that
 /// ConstrainedMass has chosen), numbered from 0; returns the number of rows.
 Eigen::Index for_each_joint_row(const ContactRows& rows,
@@ -51,7 +54,9 @@ Eigen::Index for_each_joint_row(const ContactRows& rows,
 VecX with_joints(const ContactRows& rows, const VecX& p);
 /// M⁻¹ p and M V (6 × nodes).
 VecX node_accelerations(const ContactRows& rows, const VecX& p);
+void node_accelerations(const ContactRows& rows, const VecX& p, VecX& a);
 VecX node_wrenches(const ContactRows& rows, const VecX& V);
+void node_wrenches(const ContactRows& rows, const VecX& V, VecX& p);
 
 /// A (3n × 3n), formed.
 MatX contact_response(const ContactRows& rows);
