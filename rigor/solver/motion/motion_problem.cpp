@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -64,13 +65,26 @@ class MotionSolver {
     return std::all_of(laws_.mu.begin(), laws_.mu.end(), [](double mu) { return mu == 0; });
   }
 
+  /// Whether springs that are stiff for one body are so for all: under a body of a million times its mass
+  /// those of a light one give way.
+  bool are_masses_alike() const {
+    constexpr double kMostRatio = 1e3;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Mat6& mass : problem_.rows.masses) {
+      const double largest = mass.diagonal().head<3>().maxCoeff();
+      least = std::min(least, largest);
+      most = std::max(most, largest);
+    }
+    return most <= kMostRatio * least;
+  }
+
   /// Whether some motion may stop all contacts at once: stiff springs in their place leave next to nothing of
   /// their rates. It costs one elimination, less than half of what it takes to find forces that hold.
   bool may_hold() const {
     constexpr double kStiffness = 1e6, kShare = 1e-2;  // Times the mass of each contact; of the rates.
     const bool are_free = std::all_of(laws_.rows.begin(), laws_.rows.end(),
                                       [](FrictionRow row) { return row == FrictionRow::cone; });
-    if (problem_.rows.joints || is_frictionless() || !are_free) return true;
+    if (problem_.rows.joints || is_frictionless() || !are_free || !are_masses_alike()) return true;
     const VecX masses = effective_masses(motion_.diagonal());
     std::vector<Mat3> D(laws_.mu.size());
     VecX forces = laws_.b;
