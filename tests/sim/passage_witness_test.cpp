@@ -76,7 +76,7 @@ TEST(PassageWitness, StraightPathMakesTheTurnsThatTheVelocitiesSay) {
   const Quat q = rotation_exp(Vec3(0.3, -0.2, 0.9));
   const Vec3 turn = 21.3 * Vec3(1, 2, -2) / 3;
   const StraightPath way = straight_path(Vec3::Zero(), q, Vec3::UnitX(), rotation_exp(turn) * q, turn / 0.1,
-                                        1.01 * turn / 0.1, 0.1);
+                                         1.01 * turn / 0.1, 0.1);
   EXPECT_LT((way.rotation_W - turn).norm(), 1e-12);
 }
 

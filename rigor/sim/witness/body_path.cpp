@@ -47,7 +47,7 @@ Aabb PathPiece::centre_box(double ta, double tb) const {
 }
 
 StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                          const Vec3& w_from, const Vec3& w_to, double h) {
+                           const Vec3& w_from, const Vec3& w_to, double h) {
   // The rotation that is left over after whole turns, and the number of turns nearest to what the angular
   // velocities say.
   const Vec3 shortest = rotation_log((q_to * q_from.conjugate()).normalized());

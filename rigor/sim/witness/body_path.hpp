@@ -46,6 +46,6 @@ using BodyPath = std::vector<PathPiece>;
 /// The straight way between two poses, h apart [s], in about as many turns as these angular velocities make
 /// [rad/s].
 StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                          const Vec3& w_from, const Vec3& w_to, double h);
+                           const Vec3& w_from, const Vec3& w_to, double h);
 
 }  // namespace rigor

@@ -11,7 +11,7 @@ PathPiece step_way(const Model& model, const Environment& environment, int i, co
   const double h = after.t - before.t;
   StraightPath way =
       straight_path(before.position(i), before.orientation(i), after.position(i), after.orientation(i),
-                   angular_velocity(model, before, i), angular_velocity(model, after, i), h);
+                    angular_velocity(model, before, i), angular_velocity(model, after, i), h);
   way.keeps_axis = body.motion != MotionType::dynamic;
   constexpr double little = 0.5;  // What turns by less keeps near its axis [rad].
   if (way.keeps_axis || way.rotation_W.norm() <= little) return {before.t, after.t, way};
