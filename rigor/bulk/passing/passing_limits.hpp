@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/state/vector_of.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/shape.hpp"
 
 namespace rigor {
