@@ -15,7 +15,7 @@ namespace rigor {
 namespace {
 
 // The state of an impact as one vector: velocities (6), work, impulses (6).
-constexpr Eigen::Index work_row = 6, impulse_row = 7, rows = 13;
+constexpr Eigen::Index work_row = 6, impulse_row = 7, row_count = 13;
 constexpr double path_tolerance = 1e-12;
 
 /// One of the three frictions.
@@ -70,7 +70,7 @@ class RollingFrictionImpactPath {
  public:
   RollingFrictionImpactPath(const RollingFrictionCollision& collision, RestitutionLaw law)
       : K_(collision.K),
-        y_(VecX::Zero(rows)),
+        y_(VecX::Zero(row_count)),
         watch_(law, collision.restitution, {collision.u, Vec3::Zero(), 0, 0}) {
     y_.head<3>() = collision.u;
     y_.segment<3>(3) = collision.w;
@@ -80,7 +80,7 @@ class RollingFrictionImpactPath {
     }
     // An angular velocity counts as the velocity that has the same energy.
     const double arm = std::sqrt(K_.topLeftCorner<3, 3>().trace() / K_.bottomRightCorner<3, 3>().trace());
-    scale_ = VecX::Ones(rows) * std::max(collision.u.norm(), arm * collision.w.norm());
+    scale_ = VecX::Ones(row_count) * std::max(collision.u.norm(), arm * collision.w.norm());
     scale_.segment<3>(3) /= std::isfinite(arm) && arm > 0 ? arm : 1;
     p_scale_ = scale_[0] / K_(2, 2);
     scale_[work_row] *= p_scale_;
@@ -154,7 +154,7 @@ class RollingFrictionImpactPath {
 
   VecX rate(const VecX& y) const {
     const VecX f = impulse_rate(y);
-    VecX result(rows);
+    VecX result(row_count);
     result << K_ * f, y[2], f;
     return result;
   }
