@@ -2,11 +2,13 @@
 #include "rigor/solver/coulomb/coulomb_problem.hpp"
 #include "rigor/solver/coulomb/smooth_modes.hpp"
 
+#include "random_vectors.hpp"
 #include "solver/reference_data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace rigor::proximal_points_test {
 namespace {
@@ -105,6 +107,56 @@ TEST(ProximalPoints, SolveWhatTheOtherMethodsLeave) {
     others.max_iterations = 256;
     EXPECT_GT(solve_coulomb(hard.problem, others).residual, kSolved) << hard.name;
   }
+}
+
+/// A random tower of blocks, each on the four corners of the next, thrown over a step: corners stick, slide
+/// and open, and blocks rest on more points than they need.
+CoulombProblem random_tower(test::Random& random) {
+  const int count = 1 + static_cast<int>(random.uniform(0, 5.99));
+  MatX J = MatX::Zero(12 * count, 6 * count), inverse_mass = MatX::Zero(6 * count, 6 * count);
+  VecX V(6 * count);
+  std::vector<double> mu;
+  for (int body = 0; body < count; ++body) {
+    const double mass = std::pow(10, random.uniform(-1, 1));
+    const Vec3 half(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.1, 0.5));
+    const Vec3 squares = half.cwiseProduct(half);
+    inverse_mass.diagonal().segment<3>(6 * body).setConstant(1 / mass);
+    inverse_mass.diagonal().segment<3>(6 * body + 3) =
+        (mass / 3 * (Vec3::Constant(squares.sum()) - squares)).cwiseInverse();
+    V.segment<3>(6 * body) = 0.05 * random.vector() - Vec3(0, 0, 0.05);
+    V.segment<3>(6 * body + 3) = 0.05 * random.vector();
+    for (int i = 0; i < 4; ++i) {
+      const int row = 12 * body + 3 * i;
+      const auto moved_by = [&](const Vec3& p) {
+        Eigen::Matrix<double, 3, 6> rates;
+        rates << Mat3::Identity(), Mat3{{0, p.z(), -p.y()}, {-p.z(), 0, p.x()}, {p.y(), -p.x(), 0}};
+        return rates;
+      };
+      const Vec3 p(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), -half.z());
+      J.block<3, 6>(row, 6 * body) = moved_by(p);
+      if (body > 0) J.block<3, 6>(row, 6 * (body - 1)) = -moved_by({p.x(), p.y(), random.uniform(0.1, 0.5)});
+      mu.push_back(random.uniform(0, 1));
+    }
+  }
+  return problem_of(J * inverse_mass * J.transpose(), J * V, mu);
+}
+
+TEST(ProximalPoints, BoldlyReachTheLawToo) {
+  // Steps of a scheme search boldly: full Newton steps, over kinks, with the matrix of the step before.
+  test::Random random(20261126);
+  int solved = 0;
+  for (int k = 0; k < 80; ++k) {
+    const HardProblem tower{"tower " + std::to_string(k), random_tower(random), 1e-9};
+    const std::optional<CoulombSolution> solution =
+        solve_by_proximal_points(tower.problem, FactoredMotion(tower.problem.A),
+                                 [&](const VecX& lambda) { return largest_term(tower.problem, lambda); },
+                                 {.resolution = tower.resolution, .is_bold = true});
+    if (!solution) continue;
+    ++solved;
+    EXPECT_LE(solution->residual, kSolved) << tower.name;
+    EXPECT_LE(largest_miss(tower, *solution), tower.resolution) << tower.name;
+  }
+  EXPECT_EQ(solved, 80);
 }
 
 TEST(ProximalPoints, AreTriedByTheChainWhereAResolutionIsGiven) {
