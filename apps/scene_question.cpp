@@ -169,7 +169,7 @@ Answer answer_push(const DistanceOptions& options, const Scene& scene, const Sce
   check_has_shapes(A);
   const std::vector<double> n = parse_numbers("--push", options.push, 3, "0,0,-1");
   const Vec3 displacement(n[0], n[1], n[2]);
-  if (displacement.isZero(0)) throw UsageError("--push: the way is zero, must have a length");
+  if (displacement.isZero(0)) throw UsageError("--push: the displacement is zero, must have a length");
   std::optional<BodyCastHit> first;
   for (const BodyShape& a : A.shapes) {
     const auto others = [&](int body) {

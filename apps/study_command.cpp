@@ -4,6 +4,7 @@
 #include "apps/study_view.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/output_file.hpp"
 #include "rigor/study/answer/run_page.hpp"
@@ -134,7 +135,11 @@ ExitCode execute(const StudyOptions& options) {
   check_room(options, study);
   const std::unique_ptr<Crew> crew =
       group.size() > 1 ? group.make_crew(make) : make_thread_crew(make, threads_of(options));
-  const StudyCost cost = study.foresee(journal);
+  // The wait for a journal and the first run end when asked; what follows asks by itself.
+  const StudyCost cost = [&] {
+    const InterruptScope scope(asks);
+    return study.foresee(journal);
+  }();
   if (!options.is_quiet) fmt::print(stderr, "{}\n", cost_text(cost, crew->size()));
   if (study.resumed() > 0 && !options.is_quiet)
     fmt::print(stderr, "{} runs are known from {}\n", study.resumed(), escaped_lines(journal.string()));

@@ -1,4 +1,5 @@
 """Many runs of a program, side by side, and their rows in a CSV file: what the tools that measure share."""
+import argparse
 import concurrent.futures
 import csv
 import os
@@ -9,6 +10,34 @@ import sys
 import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent  # The project's folder, wherever a tool is called from.
+
+
+METHODS = {  # By the name of a scheme in a study: the scene's method.
+    "auto": "{scheme: auto}",
+    "event-driven": "{scheme: event-driven}",
+    "hybrid": "{scheme: hybrid}",
+    "time-stepping": "{scheme: time-stepping, solver: exact}",
+    "substep": "{scheme: time-stepping, solver: substep}",
+    "impulse-based": "{scheme: impulse-based}",
+    "penalty": "{scheme: penalty}",
+}
+
+
+def study_parser(description, schemes):
+    """What the studies of random scenes are asked for; their counts they add themselves."""
+    parser = argparse.ArgumentParser(description=description.split("\n")[0])
+    parser.add_argument("--program", default=str(ROOT / "build/release/rigor"), help="rigor, wherever it lies")
+    parser.add_argument("--jobs", type=int, default=1, help="processes side by side")
+    parser.add_argument("--seed", type=int, default=1, help="number of the first case")
+    parser.add_argument("--schemes", default=schemes, type=lambda names: names.split(","), help="names with commas")
+    parser.add_argument("--cpu-limit", type=int, default=20, help="processor time of a run [s]")
+    parser.add_argument("--keep", type=pathlib.Path, help="folder in which the scenes of all that was not right are kept")
+    return parser
+
+
+def numbers(values):
+    """As a list of a scene."""
+    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"
 
 
 def known_rows(path):

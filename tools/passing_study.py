@@ -10,7 +10,6 @@ was passed. Each number of a study with its seed is the same case for all scheme
 usage: tools/passing_study.py [--program RIGOR] [--jobs N] [--bodies N] [--seed K] [--schemes a,b] [--cpu-limit S] [--keep FOLDER]
 exit code: 0 if nothing passed and every audit that said "passed" was right, else 1
 """
-import argparse
 import csv
 import math
 import pathlib
@@ -18,36 +17,16 @@ import random
 import sys
 import tempfile
 
-from measured_runs import ROOT, Runs
+from measured_runs import METHODS, Runs, numbers, study_parser
 
-SCHEMES = {  # By name: the scene's method.
-    "event-driven": "{scheme: event-driven}",
-    "hybrid": "{scheme: hybrid}",
-    "time-stepping": "{scheme: time-stepping, solver: exact}",
-    "substep": "{scheme: time-stepping, solver: substep}",
-    "impulse-based": "{scheme: impulse-based}",
-    "penalty": "{scheme: penalty}",
-}
 SHAPES = ["sphere", "box", "cylinder", "cone", "capsule", "ellipsoid", "convex", "revolution", "mesh", "slab"]
 ENDS = ["ok", "audit failed", "stopped", "slow", "through", "through, audit passed"]
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", default=str(ROOT / "build/release/rigor"), help="rigor, wherever it lies")
-    parser.add_argument("--jobs", type=int, default=1, help="processes side by side")
+    parser = study_parser(__doc__, "event-driven,hybrid,time-stepping,substep")
     parser.add_argument("--bodies", type=int, default=200, help="for each scheme")
-    parser.add_argument("--seed", type=int, default=1, help="number of the first case")
-    parser.add_argument("--schemes", default="event-driven,hybrid,time-stepping,substep", help="names with commas")
-    parser.add_argument("--cpu-limit", type=int, default=20, help="processor time of a run [s]")
-    parser.add_argument("--keep", type=pathlib.Path, help="folder in which the scenes of all that was not right are kept")
-    options = parser.parse_args()
-    options.schemes = options.schemes.split(",")
-    return options
-
-
-def numbers(values):
-    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"
+    return parser.parse_args()
 
 
 def direction(draw):
@@ -184,7 +163,7 @@ def run_case(options, runs, folder, work):
     name, lines, passed = case(number)
     stem = folder / f"{scheme}-{number}"
     scene, table = stem.with_suffix(".yaml"), stem.with_suffix(".csv")
-    scene.write_text("\n".join([f"method: {SCHEMES[scheme]}"] + lines) + "\n")
+    scene.write_text("\n".join([f"method: {METHODS[scheme]}"] + lines) + "\n")
     command = [options.program, "run", scene, "-o", table]
     done = runs.call(command, options.cpu_limit)
     rows = []

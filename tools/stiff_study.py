@@ -9,7 +9,6 @@ usage: tools/stiff_study.py [--program RIGOR] [--jobs N] [--scenes N] [--seed K]
                             [--keep FOLDER]
 exit code: 0 if every run ended in time, finite and by its own promises, else 1
 """
-import argparse
 import csv
 import math
 import pathlib
@@ -17,42 +16,20 @@ import random
 import sys
 import tempfile
 
-from measured_runs import ROOT, Runs
+from measured_runs import METHODS, Runs, numbers, study_parser
 
-SCHEMES = {  # By name: the scene's method.
-    "auto": "{scheme: auto}",
-    "event-driven": "{scheme: event-driven}",
-    "hybrid": "{scheme: hybrid}",
-    "time-stepping": "{scheme: time-stepping, solver: exact}",
-    "substep": "{scheme: time-stepping, solver: substep}",
-    "impulse-based": "{scheme: impulse-based}",
-    "penalty": "{scheme: penalty}",
-}
 ENDS = ["ok", "stopped", "refused", "audit failed", "slow", "wrong"]
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", default=str(ROOT / "build/release/rigor"), help="rigor, wherever it lies")
-    parser.add_argument("--jobs", type=int, default=1, help="processes side by side")
+    parser = study_parser(__doc__, "auto,event-driven,hybrid,time-stepping,substep")
     parser.add_argument("--scenes", type=int, default=30, help="for each scheme and family")
-    parser.add_argument("--seed", type=int, default=1, help="number of the first case")
-    parser.add_argument("--schemes", default="auto,event-driven,hybrid,time-stepping,substep", help="names with commas")
-    parser.add_argument("--families", default=",".join(FAMILIES), help="names with commas")
-    parser.add_argument("--cpu-limit", type=int, default=20, help="processor time of a run [s]")
-    parser.add_argument("--keep", type=pathlib.Path, help="folder in which the scenes of all that was not right are kept")
-    options = parser.parse_args()
-    options.schemes = options.schemes.split(",")
-    options.families = options.families.split(",")
-    return options
+    parser.add_argument("--families", default=",".join(FAMILIES), type=lambda names: names.split(","), help="names with commas")
+    return parser.parse_args()
 
 
 def power(draw, low, high):
     return f"{10 ** draw.uniform(low, high):.6g}"
-
-
-def numbers(values):
-    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"
 
 
 def body(draw, name, x, size, extra=""):
@@ -165,7 +142,7 @@ def run_case(options, runs, folder, work):
     scheme, family, number = work
     path = folder / f"{scheme}-{family}-{number}.yaml"
     table = path.with_suffix(".csv")
-    path.write_text(f"method: {SCHEMES[scheme]}\n" + scene(family, number))
+    path.write_text(f"method: {METHODS[scheme]}\n" + scene(family, number))
     done = runs.call([options.program, "run", path, "-o", table], options.cpu_limit)
     end = {0: "ok", 1: "audit failed", 3: "refused", 4: "stopped", 130: "slow", -24: "slow", 152: "slow"}.get(done.returncode, "wrong")
     if end in ("ok", "stopped", "audit failed") and not rows_are_finite(table):

@@ -1,6 +1,7 @@
 #include "rigor/study/study.hpp"
 
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/file_error.hpp"
@@ -82,7 +83,8 @@ StudyCost Study::foresee(const std::filesystem::path& journal) {
   load(journal, true);
   if (!rows_.has(0)) {
     RunExecutor executor(plan_, scene_);
-    const std::optional<RunRow> row = executor.run({0, strategy_->point(0)}, {});
+    const std::optional<RunRow> row = executor.run({0, strategy_->point(0)}, shared_interrupt());
+    if (!row) throw Interrupted();
     if (row->status == RunStatus::refused && plan_.kind != StudyKind::sweep) throw InputError(row->reason);
     if (!journal.empty()) Journal(journal, identity_, rows_.columns()).append(*row);
     rows_.enter(*row);

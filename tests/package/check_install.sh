@@ -40,8 +40,8 @@ if [ "$mode" = package ]; then
   quiet cmake --build "$build" --target package
   deb=$(ls -t "$build"/packages/rigor_*.deb | head -1)
   ls "$build"/packages/rigor-*.tar.gz >/dev/null
-  dpkg-deb -x "$deb" "$work/root"
-  prefix=$work/root/usr
+  dpkg-deb -x "$deb" "$work/installed"
+  prefix=$work/installed/usr
   dpkg-deb -f "$deb" Package Version Depends
 else
   quiet cmake --install "$build" --prefix "$prefix"

@@ -1,6 +1,7 @@
 #include "studies.hpp"
 
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/study/crew/journal.hpp"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,13 @@ TEST(Study, ItsJournalBelongsToOneProcess) {
   {
     const JournalLock lock(path);
     EXPECT_THROW(JournalLock(path, 0.1), InputError);
+    // The wait ends when asked.
+    const std::function<bool()> asked = [] { return true; };
+    const InterruptScope scope(asked);
+    EXPECT_THROW(JournalLock(path, 1000), Interrupted);
+  }
+  {
+    const JournalLock lock(path);
     Study study(parse_study(slides, std::string(RIGOR_SOURCE_DIR) + "/scenes/studies/test.yaml"));
     // Looking takes no lock.
     EXPECT_EQ(study.task_of(0, path).run, 0u);

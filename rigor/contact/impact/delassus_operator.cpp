@@ -1,8 +1,8 @@
 #include "rigor/contact/impact/delassus_operator.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -52,9 +52,7 @@ std::vector<std::vector<DelassusOperator::Coupling>> DelassusOperator::normal_co
   // Those among them that move each other.
   std::vector<std::vector<Coupling>> couplings(count());
   for (std::size_t i = 0; i < count(); ++i) {
-    std::sort(candidates[i].begin(), candidates[i].end());
-    candidates[i].erase(std::unique(candidates[i].begin(), candidates[i].end()), candidates[i].end());
-    for (const std::size_t k : candidates[i]) {
+    for (const std::size_t k : sorted_unique(std::move(candidates[i]))) {
       const double response = block(i, k)(2, 2);
       if (response != 0) couplings[i].push_back({k, response});
     }

@@ -49,8 +49,8 @@ inline bool is_at_rounding(double error, double error_of_step, double size) {
 ///   start()                           the first place: at least v and momentum = M v;
 ///   measure(place, miss)              how the place misses the law: at least `error`, in the metric of the
 ///                                     masses, and modes;
-///   way_from(place, miss)             Newton's direction, a place;
-///   move(place, length, way, there)   along it;
+///   direction_from(place, miss)             Newton's direction, a place;
+///   move(place, length, direction, there)   along it;
 ///   forces_of(place, miss)            what has lambda and pulled = Lᵀ λ;
 ///   motion()                          the ContactMotion.
 template <typename Search>
@@ -71,14 +71,14 @@ std::optional<ProximalPoint> newton_point(const Search& search, double share, in
       return ProximalPoint{forces.lambda, miss.modes, false};
 
     // Newton's direction, and halving until the error falls in proportion to the step.
-    const auto way = search.way_from(place, miss);
-    if (!way.v.allFinite()) return std::nullopt;
+    const auto direction = search.direction_from(place, miss);
+    if (!direction.v.allFinite()) return std::nullopt;
     double length = 1;
-    search.move(place, length, way, there);
+    search.move(place, length, direction, there);
     search.measure(there, trial);
     for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * miss.error); ++k) {
       length *= 0.5;
-      search.move(place, length, way, there);
+      search.move(place, length, direction, there);
       search.measure(there, trial);
     }
     if (is_at_rounding(miss.error, trial.error, size)) return ProximalPoint{forces.lambda, miss.modes, true};

@@ -52,14 +52,14 @@ class SearchByMotion {
     forces.error = std::sqrt(std::max(0.0, forces.miss.dot(from_.motion.lift(forces.miss))));
   }
 
-  Motion way_from(const Motion&, const Miss& forces) const {
+  Motion direction_from(const Motion&, const Miss& forces) const {
     return motion_at(-from_.motion.newton_step(forces.slopes, forces.miss, Symmetry::none));
   }
 
-  static void move(const Motion& motion, double length, const Motion& way, Motion& there) {
-    there.v = motion.v + length * way.v;
-    there.rates = motion.rates + length * way.rates;
-    there.momentum = motion.momentum + length * way.momentum;
+  static void move(const Motion& motion, double length, const Motion& direction, Motion& there) {
+    there.v = motion.v + length * direction.v;
+    there.rates = motion.rates + length * direction.rates;
+    there.momentum = motion.momentum + length * direction.momentum;
   }
 
   static const Miss& forces_of(const Motion&, const Miss& forces) { return forces; }

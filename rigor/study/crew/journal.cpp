@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/files/file_error.hpp"
 
@@ -162,14 +163,21 @@ JournalLock::JournalLock(const std::filesystem::path& path, double wait)
     : descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) throw write_error(path, errno);
   constexpr double pause = 0.05;
+  const auto give_up = [this] { ::close(descriptor_); };
   for (double waited = 0;; waited += pause) {
+    try {
+      poll_interrupt();
+    } catch (const Interrupted&) {
+      give_up();
+      throw;
+    }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     // Some file systems of networks have no locks.
     if (errno != EWOULDBLOCK) return;
     if (waited >= wait) break;
     std::this_thread::sleep_for(std::chrono::duration<double>(pause));
   }
-  ::close(descriptor_);
+  give_up();
   throw InputError(
       path.string() +
       ": is the journal of a study that another process carries out; give another with --journal");
