@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace rigor {
@@ -54,14 +55,17 @@ void add_spans(const Audit& audit, std::string& text) {
     if (shown == most_spans) break;
     add_line(text, shown++ == 0 ? "spans" : "",
              "{:.6g} to {:.6g} s {}: {} impacts, at times known to {:.3g} s", span.of.begin, span.of.end,
-             scheme_name(span.of.scheme), span.of.impacts, audit.impact_time_error(span.of));
-    add_line(text, "", "  {:.3g} J unexplained rise of at most {:.3g} J, penetration at most {:.3g} m",
-             span.of.rise, span.most_rise, span.penetration);
+             span.of.name(), span.of.impacts, audit.impact_time_error(span.of));
+    const std::string overlap = std::isfinite(span.penetration)
+                                    ? fmt::format("{:.3g} m", span.penetration)
+                                    : fmt::format("{:.3g} of a body's thickness", span.penetration_share);
+    add_line(text, "", "  {:.3g} J unexplained rise of at most {:.3g} J, penetration at most {}",
+             span.of.rise, span.most_rise, overlap);
     if (!span.of.end_cause.empty()) add_line(text, "", "  handed over: {}", span.of.end_cause);
   }
   if (audit.spans.size() > shown)
     add_line(text, "", "and {} more spans; --json has them all", audit.spans.size() - shown);
-  add_line(text, "", "the whole run is judged by the weaker promises of both");
+  add_line(text, "", "the whole run is judged by the weaker promises of all");
 }
 
 void add_motion(const Audit& audit, std::string& text) {

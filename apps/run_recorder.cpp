@@ -35,12 +35,15 @@ TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   return header;
 }
 
-/// Whether the scene names a scheme with events where `auto` would leave them to equal steps if they crowd.
-bool names_events(const Scene& scene) {
-  if (scene.method.scheme != Scheme::event_driven && scene.method.scheme != Scheme::hybrid) return false;
+/// Whether the scene names a scheme that `auto` would leave if its events crowd or its steps take too long.
+bool names_what_auto_leaves(const Scene& scene) {
+  const Scheme named = scene.method.scheme;
+  if (named != Scheme::event_driven && named != Scheme::hybrid && named != Scheme::time_stepping)
+    return false;
   Method by_auto = scene.method;
   by_auto.scheme = Scheme::automatic;
-  return resolve_scheme(*scene.model, by_auto).steps.has_value();
+  const ResolvedMethod choice = resolve_scheme(*scene.model, by_auto);
+  return named == Scheme::time_stepping ? choice.soft_steps.has_value() : choice.steps.has_value();
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
       begin_(std::chrono::steady_clock::now()),
       progress_line_(!options.is_quiet),
       progress_{.time = start_time, .start = start_time, .end = scene.run.duration} {
-  could_hand_over_ = names_events(scene);
+  could_hand_over_ = names_what_auto_leaves(scene);
   if (!options.checkpoint.empty()) check_can_write(options.checkpoint);
   if (!options.json.empty() && options.json != "-") json_ = std::make_unique<OutputFile>(options.json);
   if (!options.outputs.empty()) {
@@ -116,10 +119,14 @@ void RunRecorder::write_checkpoint_at(const State& state, const Audit& audit) {
 }
 
 void RunRecorder::show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor) {
-  // The work of the events since the last output, as `auto` judges it.
-  const bool is_crowded =
-      could_hand_over_ && since.effort > HandoverBounds{}.paid_by_events * (state.t - progress_.time);
-  progress_.advice = is_crowded ? "events crowd: method.scheme=auto would be quicker" : "";
+  // The work of the events and steps since the last output, as `auto` judges it.
+  const HandoverBounds bounds;
+  const double duration = state.t - progress_.time;
+  progress_.advice = "";
+  if (could_hand_over_ && since.step_work > bounds.paid_to_steps * duration)
+    progress_.advice = "exact steps take long: method.scheme=auto would be quicker";
+  else if (could_hand_over_ && since.effort > bounds.paid_by_events * duration)
+    progress_.advice = "events crowd: method.scheme=auto would be quicker";
   progress_.time = state.t;
   progress_.elapsed = elapsed();
   progress_.impacts += since.impacts;

@@ -28,7 +28,7 @@ geometry: exact lanes shape mass broad_phase convex mesh decomposition distance 
 solver: linear coulomb motion cones .
 contact: system resting impact penalty .
 bulk: lanes threads state narrow_phase broad_phase matching graph direct contacts gyroscopic joints sleep passing .
-sim: pairs method report witness fixed_steps drives islands event_driven time_stepping handover penalty bulk audit .
+sim: pairs method report witness fixed_steps drives islands event_driven time_stepping bulk handover penalty audit .
 io: files mesh scene trajectory
 view: recording 3d plot page live
 study: formula sampling plan run crew kinds . answer

@@ -14,15 +14,15 @@ namespace {
 
 // The layout of the bytes, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n
 // of bodies, m of remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then
-// the doubles t, of the hand-over 1 if fixed steps carry the bodies or 0, work owed and price, x (3n), q
-// (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B, feature (8
-// bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each), the joint
-// impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of everything before
-// it.
+// the doubles t, of the hand-over the number of the carrier, work owed, price and operations owed by steps, x
+// (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
+// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each),
+// the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
+// everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
-constexpr std::uint64_t version = 6;
+constexpr std::uint64_t version = 7;
 /// Beside the header: t and the hand-over.
-constexpr std::size_t single_words = 4;
+constexpr std::size_t single_words = 5;
 constexpr std::size_t header_length = 56;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
@@ -37,6 +37,13 @@ void append(std::uint64_t value, int length, Bytes& bytes) {
 
 void append(const std::vector<double>& values, Bytes& bytes) {
   for (const double value : values) append(std::bit_cast<std::uint64_t>(value), 8, bytes);
+}
+
+/// Of any number: the checkpoint's own check tells what cannot be.
+HandoverMemory::Carrier carrier_of(double number) {
+  using Carrier = HandoverMemory::Carrier;
+  if (number == static_cast<double>(Carrier::soft_steps)) return Carrier::soft_steps;
+  return number == static_cast<double>(Carrier::steps) ? Carrier::steps : Carrier::events;
 }
 
 std::uint64_t read_number(const Bytes& bytes, std::size_t at, std::size_t length) {
@@ -221,7 +228,9 @@ std::vector<unsigned char> serialise(const State& state) {
     append(count, 8, bytes);
   append(std::bit_cast<std::uint64_t>(state.t), 8, bytes);
   const HandoverMemory& handover = state.handover;
-  append(std::vector<double>{handover.is_in_steps ? 1.0 : 0.0, handover.owed, handover.price}, bytes);
+  append(std::vector<double>{static_cast<double>(handover.carrier), handover.owed, handover.price,
+                             handover.owed_by_steps},
+         bytes);
   for (const auto* array : {&state.x, &state.q, &state.P, &state.L, &state.epoch, &state.anchor}) {
     append(*array, bytes);
   }
@@ -240,9 +249,10 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   WordReader reader(bytes);
   State state;
   state.t = reader.next_double();
-  state.handover.is_in_steps = reader.next_double() != 0;
+  state.handover.carrier = carrier_of(reader.next_double());
   state.handover.owed = reader.next_double();
   state.handover.price = reader.next_double();
+  state.handover.owed_by_steps = reader.next_double();
   state.x = reader.next(3 * n);
   state.q = reader.next(4 * n);
   state.P = reader.next(3 * n);

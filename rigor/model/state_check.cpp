@@ -135,7 +135,7 @@ std::string state_error(const Model& model, const State& state) {
   }
   if (std::string error = list_error(model, state); !error.empty()) return error;
   constexpr double most_work = 1e18;
-  for (const double effort : {state.handover.owed, state.handover.price}) {
+  for (const double effort : {state.handover.owed, state.handover.price, state.handover.owed_by_steps}) {
     if (!(effort >= 0 && effort <= most_work))
       return "the work that it remembers is negative or beyond any run";
   }

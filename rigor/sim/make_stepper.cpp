@@ -27,9 +27,10 @@ std::unique_ptr<EventDrivenStepper> make_event_driven(std::shared_ptr<const Mode
 std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const ResolvedMethod& choice,
                                        double target_step, int threads) {
   const Method& resolved = choice.method;
-  if (choice.steps) {
-    return std::make_unique<AutoStepper>(model, make_event_driven(model, resolved, target_step),
-                                         *choice.steps, resolved.scheme, target_step, threads);
+  if (choice.steps || choice.soft_steps) {
+    std::unique_ptr<EventDrivenStepper> events;
+    if (resolved.scheme != Scheme::time_stepping) events = make_event_driven(model, resolved, target_step);
+    return std::make_unique<AutoStepper>(std::move(model), std::move(events), choice, target_step, threads);
   }
   if (resolved.scheme == Scheme::time_stepping && resolved.solver == SolverMethod::substep)
     return std::make_unique<BulkStepper>(std::move(model), resolved, target_step, threads);

@@ -73,13 +73,11 @@ std::shared_ptr<const Model> heap(unsigned seed) {
 std::unique_ptr<AutoStepper> auto_stepper(const std::shared_ptr<const Model>& model,
                                           const HandoverBounds& bounds = low_bounds) {
   const ResolvedMethod resolved = resolve_scheme(*model, automatic());
-  Method steps = *resolved.steps;
   std::unique_ptr<EventDrivenStepper> events =
       resolved.method.scheme == Scheme::hybrid
           ? std::make_unique<HybridStepper>(model, resolved.method, step)
           : std::make_unique<EventDrivenStepper>(model, resolved.method, step);
-  return std::make_unique<AutoStepper>(model, std::move(events), steps, resolved.method.scheme, step, 1,
-                                       bounds);
+  return std::make_unique<AutoStepper>(model, std::move(events), resolved, step, 1, bounds);
 }
 
 /// A run of so many outputs, with its State and audit at each.
@@ -282,6 +280,112 @@ TEST(Handover, SchemesThatTimeSteppingCannotReplaceAreNeverLeft) {
   Method named;
   named.scheme = Scheme::event_driven;
   EXPECT_FALSE(resolve_scheme(*model, named).steps.has_value());
+}
+
+/// A pile of so many boxes that fall askew on each other, none of which bounces.
+std::shared_ptr<const Model> pile(unsigned seed, int boxes) {
+  test::Random random(seed);
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, 0.5, 0});
+  BodyDescription floor{.name = "floor", .motion = MotionType::fixed};
+  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(floor);
+  for (int k = 0; k < boxes; ++k) {
+    BodyDescription body{.name = "box" + std::to_string(k)};
+    body.p_WU = Vec3(0.02 * random.uniform(-1, 1), 0.02 * random.uniform(-1, 1), 0.08 + 0.14 * k);
+    body.q_WU =
+        Quat(1, 0.2 * random.uniform(-1, 1), 0.2 * random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+    body.shapes.push_back({Box{Vec3(0.08, 0.06, 0.04)}, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+/// Steps from the beginning, of which so many operations may be owed.
+std::unique_ptr<AutoStepper> stepper_of_steps(const std::shared_ptr<const Model>& model, double most_owed,
+                                              int threads = 1) {
+  ResolvedMethod choice = resolve_scheme(*model, automatic());
+  choice.method = *choice.steps;
+  choice.steps.reset();
+  return std::make_unique<AutoStepper>(model, nullptr, choice, step, threads,
+                                       HandoverBounds{.paid_to_steps = 1e4, .most_owed_by_steps = most_owed});
+}
+
+TEST(Handover, StepsThatAreTooDearAreFollowedBySoftOnes) {
+  constexpr int outputs = 30;
+  int softened = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::shared_ptr<const Model> model = pile(seed, 4);
+    const double most_owed = 2e4;
+    State state = make_initial_state(*model), on_threads = state, resumed = state;
+    Auditor auditor(model, automatic(), state);
+    const std::unique_ptr<Stepper> stepper = stepper_of_steps(model, most_owed),
+                                   threaded = stepper_of_steps(model, most_owed, 3);
+    for (int k = 1; k <= outputs; ++k) {
+      const AdvanceReport report = stepper->advance(state, k * interval);
+      ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
+      auditor.observe(state, report);
+      // The same bits on threads, and by a stepper that knows the State alone.
+      threaded->advance(on_threads, k * interval);
+      stepper_of_steps(model, most_owed)->advance(resumed, k * interval);
+      ASSERT_EQ(state, on_threads);
+      ASSERT_EQ(state, resumed);
+    }
+    // Each span is judged by what carried it, and soft steps carry to the end.
+    const Audit audit = auditor.audit(state);
+    EXPECT_TRUE(audit.violations.empty()) << audit.violations.front();
+    if (audit.spans.size() < 2) continue;
+    ++softened;
+    ASSERT_EQ(audit.spans.size(), 2u);
+    const Audit::Span &exact = audit.spans[0], &soft = audit.spans[1];
+    EXPECT_EQ(exact.of.name(), "time-stepping");
+    EXPECT_EQ(soft.of.name(), "time-stepping (substep)");
+    EXPECT_NE(exact.of.end_cause.find("exact steps take too long"), std::string::npos);
+    EXPECT_EQ(exact.of.end, soft.of.begin);
+    EXPECT_DOUBLE_EQ(soft.of.end, outputs * interval);
+    EXPECT_LT(exact.most_rise, soft.most_rise);
+    EXPECT_EQ(state.handover.carrier, HandoverMemory::Carrier::soft_steps);
+  }
+  EXPECT_GE(softened, 4);
+}
+
+TEST(Handover, AStepThatAloneIsTooDearIsGivenUp) {
+  // Nothing may be owed: the first step whose contacts are more than time pays for is left to soft steps.
+  const std::shared_ptr<const Model> model = pile(1, 5);
+  State state = make_initial_state(*model);
+  const AdvanceReport report = stepper_of_steps(model, 0)->advance(state, 0.3);
+  EXPECT_EQ(report.reason, StopReason::reached_end) << report.detail;
+  EXPECT_DOUBLE_EQ(state.t, 0.3);
+  ASSERT_EQ(report.spans.size(), 2u);
+
+  // Until there the steps are those of the scheme by itself.
+  Method exact;
+  exact.scheme = Scheme::time_stepping;
+  State by_steps = make_initial_state(*model), by_auto = by_steps;
+  const double until = report.spans[0].end;
+  if (until > 0) {
+    stepper_of_steps(model, 0)->look(by_auto, 0.3, until);
+    make_stepper(model, exact, step)->look(by_steps, 0.3, until);
+    by_auto.handover = {};
+    EXPECT_EQ(by_auto, by_steps);
+  }
+}
+
+TEST(Handover, WhoWantsExactStepsHasNoLastResort) {
+  const std::shared_ptr<const Model> model = heap(0);
+  Method method = automatic();
+  EXPECT_TRUE(resolve_scheme(*model, method).soft_steps.has_value());
+  method.last_resort = LastResort::none;
+  EXPECT_FALSE(resolve_scheme(*model, method).soft_steps.has_value());
+  // A solver that the scene names is kept, and so is a scheme.
+  method = automatic();
+  method.solver = SolverMethod::pgs;
+  EXPECT_FALSE(resolve_scheme(*model, method).soft_steps.has_value());
+  method = {};
+  method.scheme = Scheme::time_stepping;
+  EXPECT_FALSE(resolve_scheme(*model, method).soft_steps.has_value());
 }
 
 TEST(EffortDebt, TimePaysForWork) {

@@ -6,6 +6,8 @@
 #include "rigor/io/trajectory/audit_tree.hpp"
 #include "rigor/sim/method/method_use.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -37,15 +39,20 @@ Json method_json(const Audit& audit) {
 Json spans_json(const Audit& audit) {
   Json json = Json::array();
   for (const Audit::Span& span : audit.spans) {
+    Method of_span = audit.method;
+    of_span.solver = span.of.solver;
     json.push_back({{"scheme", scheme_name(span.of.scheme)},
+                    {"solver", method_choice(of_span, "solver")},
                     {"begin", span.of.begin},
                     {"end", span.of.end},
                     {"impacts", span.of.impacts},
                     {"impact_time_error", audit.impact_time_error(span.of)},
                     {"energy_increase", {{"max", span.of.rise}, {"tolerance", span.most_rise}}},
-                    {"penetration_tolerance", span.penetration},
+                    {"penetration_tolerance", nullptr},
+                    {"penetration_tolerance_of_thickness", span.penetration_share},
                     {"joint_drift_tolerance", span.joint_drift},
                     {"end_cause", nullptr}});
+    if (std::isfinite(span.penetration)) json.back()["penetration_tolerance"] = span.penetration;
     if (!span.of.end_cause.empty()) json.back()["end_cause"] = span.of.end_cause;
   }
   return json;

@@ -66,7 +66,8 @@ void visit_numbers(Part& audit, Visit visit) {
 /// The same of a span.
 template <typename Part, typename Visit>
 void visit_span(Part& span, Visit visit) {
-  visit(span.scheme), visit(span.begin), visit(span.end), visit(span.energy), visit(span.work);
+  visit(span.scheme), visit(span.solver), visit(span.begin), visit(span.end), visit(span.energy),
+      visit(span.work);
   visit(span.rise), visit(span.impacts);
 }
 
@@ -109,6 +110,8 @@ std::string audit_error(const Model& model, const Audit& audit) {
     if (!(span.begin >= until && span.end >= span.begin)) return "the spans of its schemes are in disorder";
     if (span.scheme < Scheme::event_driven || span.scheme >= Scheme::automatic)
       return "a span of its schemes names a scheme that does not exist";
+    if (span.solver < SolverMethod::exact || span.solver > SolverMethod::substep)
+      return "a span of its schemes names a solver that does not exist";
     if (span.impacts < 0 || span.rise < 0) return "a span of its schemes holds a negative count or rise";
     until = span.end;
   }

@@ -40,6 +40,7 @@ bool Audit::uses(std::string_view key) const {
   return uses_choice(method, key) || std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
            Method of_span = method;
            of_span.scheme = span.of.scheme;
+           of_span.solver = span.of.solver;
            return uses_choice(of_span, key);
          });
 }
@@ -124,9 +125,10 @@ void Auditor::balance_spans(const AdvanceReport& report) {
   }
 }
 
-SchemePromises Auditor::promises_of_scheme(Scheme scheme) const {
+SchemePromises Auditor::promises_of_span(const SchemeSpan& span) const {
   Method method = method_;
-  method.scheme = scheme;
+  method.scheme = span.scheme;
+  method.solver = span.solver;
   return promises_of(*model_, method);
 }
 
@@ -134,7 +136,7 @@ void Auditor::observe_scales(const State& state, const AdvanceReport& report) {
   // A body at rest never shows the momentum that forces give and contacts take back within one step, but it
   // shows its rounding.
   const bool has_steps = std::any_of(report.spans.begin(), report.spans.end(), [&](const SchemeSpan& each) {
-    return promises_of_scheme(each.scheme).acts_in_steps;
+    return promises_of_span(each).acts_in_steps;
   });
   const double span = promises_.acts_in_steps || has_steps ? state.t - time_ : 0;
   double momentum = 0, angular_momentum = 0, of_rotation = 0, lightest = kInfinity;
@@ -207,17 +209,16 @@ Audit Auditor::audit(const State& state) const {
 void Auditor::judge_spans(Audit& audit) const {
   const double rounding = rounding_of_balance(initial_, energy_, sum_.work);
   for (const SchemeSpan& span : sum_.spans) {
-    const SchemePromises promises = promises_of_scheme(span.scheme);
+    const SchemePromises promises = promises_of_span(span);
     audit.spans.push_back({span, promises.energy_share * (energy_scale_ + promises.energy_floor) + rounding,
-                           promises.penetration, promises.joint_drift});
+                           promises.penetration, promises.penetration_share, promises.joint_drift});
   }
 }
 
 void Auditor::find_violations(Audit& audit) const {
   // What is about the whole run is judged by the weaker promises of the schemes that carried it.
   SchemePromises promises = promises_;
-  for (const Audit::Span& span : audit.spans)
-    promises = weaker_of(promises, promises_of_scheme(span.of.scheme));
+  for (const Audit::Span& span : audit.spans) promises = weaker_of(promises, promises_of_span(span.of));
   const auto check = [&](Audit::Promise promise, const char* quantity, double value, double bound,
                          const char* unit) {
     if (value > bound) {
@@ -236,7 +237,7 @@ void Auditor::find_violations(Audit& audit) const {
   for (const Audit::Span& span : audit.spans) {
     if (!audit.was_handed_over() || !promises.knows_work) break;
     const std::string quantity = fmt::format("unexplained rise of energy from {:.6g} to {:.6g} s ({})",
-                                             span.of.begin, span.of.end, scheme_name(span.of.scheme));
+                                             span.of.begin, span.of.end, span.of.name());
     check(Audit::Promise::energy, quantity.c_str(), span.of.rise, span.most_rise, "J");
   }
   // The momenta that the weights of all bodies have given in the run, and their moments.

@@ -83,6 +83,8 @@ struct Audit {
     SchemeSpan of;
     double most_rise;    ///< Tolerance of the unexplained rise of the energy within it [J].
     double penetration;  ///< Tolerance of overlaps [m].
+    /// The same as a share of the thickness of the thinner body.
+    double penetration_share;
     double joint_drift;  ///< Tolerance of joints [m or rad].
   };
   /// In the order of time, where `auto` may hand over; else none. What is judged over the whole run (momenta,
@@ -137,7 +139,7 @@ class Auditor {
   /// The balance of the energy at an output, or where one scheme hands over to another.
   void balance_spans(const AdvanceReport& report);
   /// What the scheme promises of this scene.
-  SchemePromises promises_of_scheme(Scheme scheme) const;
+  SchemePromises promises_of_span(const SchemeSpan& span) const;
   /// The largest momenta and energies of the run, to which errors are relative.
   void observe_scales(const State& state, const AdvanceReport& report);
   void find_violations(Audit& audit) const;

@@ -12,6 +12,13 @@ namespace rigor {
 
 namespace {
 
+using Carrier = HandoverMemory::Carrier;
+
+/// What is owed after time that pays so much a second.
+double left_of(double owed, double rate, double duration) {
+  return std::max(0.0, owed - rate * duration);
+}
+
 /// After how many steps it is asked whether events may go on.
 constexpr long steps_between_questions = 8;
 
@@ -35,26 +42,34 @@ double end_of_steps(double t, double t_end, double target_step) {
 }  // namespace
 
 AutoStepper::AutoStepper(std::shared_ptr<const Model> model, std::unique_ptr<EventDrivenStepper> events,
-                         const Method& method, Scheme scheme_of_events, double target_step, int threads,
+                         const ResolvedMethod& choice, double target_step, int threads,
                          const HandoverBounds& bounds)
     : model_(std::move(model)),
       environment_(*model_),
       events_(std::move(events)),
-      method_of_steps_(method),
-      scheme_of_events_(scheme_of_events),
+      choice_(choice),
       target_step_(target_step),
       threads_(threads),
       bounds_(bounds) {
   RIGOR_ASSERT(target_step > 0);
-  events_->set_interrupt([this] { return is_interrupted(); });
+  if (events_) events_->set_interrupt([this] { return is_interrupted(); });
 }
 
 TimeStepper& AutoStepper::steps() {
   if (!steps_) {
-    steps_ = std::make_unique<TimeStepper>(model_, method_of_steps_, target_step_, threads_);
+    const Method& method = choice_.steps ? *choice_.steps : choice_.method;
+    steps_ = std::make_unique<TimeStepper>(model_, method, target_step_, threads_);
     steps_->set_interrupt([this] { return is_interrupted(); });
   }
   return *steps_;
+}
+
+BulkStepper& AutoStepper::soft_steps() {
+  if (!soft_steps_) {
+    soft_steps_ = std::make_unique<BulkStepper>(model_, *choice_.soft_steps, target_step_, threads_);
+    soft_steps_->set_interrupt([this] { return is_interrupted(); });
+  }
+  return *soft_steps_;
 }
 
 AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
@@ -62,11 +77,24 @@ AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
   const State before = state;
   // The schemes see a State without memory, so that each finds the one that it left.
   memory_ = std::exchange(state.handover, {});
+  if (!events_ && memory_.carrier == Carrier::events) memory_.carrier = Carrier::steps;
   t_ = state.t;
   AdvanceReport report;
-  const auto left = [&] { return t_look - t_; };
-  while (report.reason == StopReason::reached_end && left() > (memory_.is_in_steps ? time_rounding() : 0)) {
-    report.add(memory_.is_in_steps ? go_by_steps(state, t_end, t_look) : go_by_events(state, t_look));
+  const auto is_left = [&] {
+    return t_look - t_ > (memory_.carrier == Carrier::events ? 0 : time_rounding());
+  };
+  while (report.reason == StopReason::reached_end && is_left()) {
+    switch (memory_.carrier) {
+      case Carrier::events:
+        report.add(go_by_events(state, t_look));
+        break;
+      case Carrier::steps:
+        report.add(go_by_steps(state, t_end, t_look));
+        break;
+      case Carrier::soft_steps:
+        report.add(go_by_soft_steps(state, t_end, t_look));
+        break;
+    }
     t_ = state.t;
   }
   state.handover = memory_;
@@ -95,6 +123,7 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
   EffortDebt debt = events_->debt();
   debt.charge(0, state.t);
   memory_.owed = debt.owed;
+  memory_.owed_by_steps = left_of(memory_.owed_by_steps, bounds_.paid_to_steps, state.t - begin);
   std::string cause;
   if (is_out_of_its_depth(report.reason)) {
     cause = report.detail;
@@ -109,38 +138,79 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
     report.detail.clear();
     report.bodies.clear();
     // Impacts alone: which pairs came to rest and parted, a fresh stepper counts otherwise.
-    memory_ = {.is_in_steps = true,
+    memory_ = {.carrier = Carrier::steps,
                .owed = std::max(memory_.owed, bounds_.most_owed),
-               .price = report.effort / static_cast<double>(std::max(1L, report.impacts))};
+               .price = report.effort / static_cast<double>(std::max(1L, report.impacts)),
+               .owed_by_steps = memory_.owed_by_steps};
   }
-  enter_span(scheme_of_events_, begin, state, std::move(cause), report);
+  enter_span(choice_.method, begin, state, std::move(cause), report);
   return report;
 }
 
 AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look) {
   const double begin = state.t, end = end_of_steps(begin, t_end, target_step_);
   last_ = &steps();
+  // A step that alone costs too much is given up: the State is that before it.
+  if (choice_.soft_steps) {
+    const double paid = bounds_.paid_to_steps * (std::min(end, t_look) - begin);
+    steps().set_work_limit(bounds_.most_owed_by_steps + paid - memory_.owed_by_steps);
+  }
   AdvanceReport report =
       end > t_look + time_rounding() ? steps().look(state, end, t_look) : steps().advance(state, end);
+  const bool is_given_up = report.reason == StopReason::interrupted && steps().is_beyond_work_limit();
+  if (is_given_up) report.reason = StopReason::reached_end;
   if (leaves_nothing(report.reason)) return report;
 
-  // What events would owe: each costs what an impact did when steps took over.
-  const double cost =
-      memory_.price * static_cast<double>(report.impacts + report.resting + report.separations);
-  memory_.owed = std::max(0.0, memory_.owed + cost - bounds_.paid_by_steps * (state.t - begin));
-  std::string cause;
-  if (memory_.owed == 0) {
-    cause =
-        fmt::format("events are few: at {:.3g} units of work for each, nothing would be owed", memory_.price);
-    memory_ = {};
+  std::string cause = reason_to_return(begin, state.t, report);
+  const std::string too_dear = reason_to_soften(begin, state.t, report);
+  if (is_given_up || !too_dear.empty()) {
+    memory_ = {.carrier = Carrier::soft_steps};
+    cause = too_dear;
+  } else if (!cause.empty()) {
+    memory_ = {.owed_by_steps = memory_.owed_by_steps};
   }
-  enter_span(Scheme::time_stepping, begin, state, std::move(cause), report);
+  enter_span(choice_.steps ? *choice_.steps : choice_.method, begin, state, std::move(cause), report);
   return report;
 }
 
-void AutoStepper::enter_span(Scheme scheme, double begin, const State& state, std::string end_cause,
+/// Why events may go on after these steps, or empty.
+std::string AutoStepper::reason_to_return(double begin, double now, const AdvanceReport& report) {
+  if (!events_) return {};
+  // What events would owe: each costs what an impact did when steps took over.
+  const double cost =
+      memory_.price * static_cast<double>(report.impacts + report.resting + report.separations);
+  memory_.owed = left_of(memory_.owed + cost, bounds_.paid_by_steps, now - begin);
+  if (memory_.owed > 0) return {};
+  return fmt::format("events are few: at {:.3g} units of work for each, nothing would be owed",
+                     memory_.price);
+}
+
+/// Why soft steps have to go on after these, or empty.
+std::string AutoStepper::reason_to_soften(double begin, double now, const AdvanceReport& report) {
+  memory_.owed_by_steps =
+      left_of(memory_.owed_by_steps + report.step_work, bounds_.paid_to_steps, now - begin);
+  if (!choice_.soft_steps || memory_.owed_by_steps <= bounds_.most_owed_by_steps) return {};
+  return fmt::format(
+      "exact steps take too long: {:.3g} operations for {:.3g} s; what time has not paid for, {:.3g}, is "
+      "above "
+      "{:.3g} (method.last_resort=none goes on by them all the same)",
+      report.step_work, now - begin, memory_.owed_by_steps, bounds_.most_owed_by_steps);
+}
+
+AdvanceReport AutoStepper::go_by_soft_steps(State& state, double t_end, double t_look) {
+  const double begin = state.t;
+  last_ = &soft_steps();
+  AdvanceReport report = t_end > t_look + time_rounding() ? soft_steps().look(state, t_end, t_look)
+                                                          : soft_steps().advance(state, t_end);
+  if (leaves_nothing(report.reason)) return report;
+  enter_span(*choice_.soft_steps, begin, state, {}, report);
+  return report;
+}
+
+void AutoStepper::enter_span(const Method& method, double begin, const State& state, std::string end_cause,
                              AdvanceReport& report) const {
-  report.note_span({.scheme = scheme,
+  report.note_span({.scheme = method.scheme,
+                    .solver = method.solver,
                     .begin = begin,
                     .end = state.t,
                     .energy = mechanical_energy(*model_, environment_, state).total(),

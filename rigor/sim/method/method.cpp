@@ -42,6 +42,7 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "penalty_law") return f(method.penalty_law), true;
   if (key == "solver") return f(method.solver), true;
   if (key == "cone") return f(method.cone), true;
+  if (key == "last_resort") return f(method.last_resort), true;
   if (key == "sleeping") return f(method.sleeping), true;
   return false;
 }

@@ -32,6 +32,8 @@ enum class PenaltyLaw { linear, hunt_crossley };
 enum class SolverMethod { exact, pgs, substep };
 /// The friction cone of time stepping.
 enum class ConeMethod { exact, convex, pyramid };
+/// What `auto` does where exact steps cost more than simulated time pays for: soft sub-steps, or nothing.
+enum class LastResort { substep, none };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
@@ -65,6 +67,8 @@ struct Method {
   SolverMethod solver = SolverMethod::exact;
   /// Of friction.
   ConeMethod cone = ConeMethod::exact;
+  /// Of `auto` where exact steps take too long.
+  LastResort last_resort = LastResort::substep;
   bool sleeping = false;            ///< Bodies at rest are left alone (solver substep).
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Width of a time of impact [s].

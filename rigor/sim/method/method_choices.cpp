@@ -109,6 +109,11 @@ std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-si
       MethodChoice{"cone", "pyramid", "friction in the directions of a frame, wrong in between",
                    "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996"},
 
+      MethodChoice{"last_resort", "substep", "auto goes on by solver substep where exact steps take too long",
+                   "docs/theory/handover.md"},
+      MethodChoice{"last_resort", "none", "auto goes on by exact steps, however long they take",
+                   "docs/theory/handover.md"},
+
       MethodChoice{"sleeping", "false", "solver substep moves all bodies in every step",
                    "docs/theory/bulk.md, section 7"},
       MethodChoice{"sleeping", "true",

@@ -33,6 +33,7 @@ constexpr std::array<ChoiceUse, 10> choice_uses = {{
 bool uses_choice(const Method& method, std::string_view key) {
   if (key == "sleeping" && method.scheme != Scheme::automatic)
     return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+  if (key == "last_resort") return method.scheme == Scheme::automatic;
   if (key == "micro_collisions" && method.scheme != Scheme::automatic)
     return method.scheme == Scheme::impulse_based;
   const auto use = std::find_if(choice_uses.begin(), choice_uses.end(),

@@ -279,6 +279,16 @@ ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
     resolved.steps = method;
     resolved.steps->scheme = Scheme::time_stepping;
   }
+
+  // Where exact steps may take too long, soft ones stand by.
+  const bool has_steps = resolved.steps || choice.scheme == Scheme::time_stepping;
+  if (!has_steps || method.solver != SolverMethod::exact || method.cone != ConeMethod::exact ||
+      method.last_resort == LastResort::none)
+    return resolved;
+  Method soft = method;
+  soft.scheme = Scheme::time_stepping;
+  soft.solver = SolverMethod::substep;
+  if (check_scheme(model, soft).empty() && check_combination(soft).empty()) resolved.soft_steps = soft;
   return resolved;
 }
 

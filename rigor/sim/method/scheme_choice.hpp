@@ -74,6 +74,9 @@ struct ResolvedMethod {
   /// its scheme, if that which was chosen has no events, if time stepping refuses the scene, or if its solver
   /// would be `substep`.
   std::optional<Method> steps = {};
+  /// The method of soft steps, to which `auto` hands over where exact ones take too long; nothing if the
+  /// method names its scheme or another solver, has no last resort, or sub-steps refuse the scene.
+  std::optional<Method> soft_steps = {};
 };
 ResolvedMethod resolve_scheme(const Model& model, const Method& method);
 

@@ -88,6 +88,8 @@ struct AdvanceReport {
   long problems = 0;
   /// Their work.
   double effort = 0;
+  /// Operations (count_work) of steps of time stepping, all tries included.
+  double step_work = 0;
   std::vector<SchemeSpan> spans;  ///< Of `auto` where it may hand over: which scheme went how far.
   /// In the order of time.
   std::vector<MotionEvent> events;

@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
+#include "rigor/core/work_count.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -35,12 +36,18 @@ std::vector<const MovedPart*> PartMemory::moved(double h, double theta, const st
 
   // Each part is a problem of its own: no thread writes what another reads.
   std::vector<MovedPart> answers(fresh.size());
+  std::vector<std::uint64_t> operations(fresh.size());
   const std::function<bool()> interrupt = shared_interrupt();
   executor.for_ranges(static_cast<int>(fresh.size()), 1, [&](int begin, int end) {
     const InterruptScope scope(interrupt);
-    for (int k = begin; k < end; ++k) answers[at(k)] = move(parts[fresh[at(k)]]);
+    for (int k = begin; k < end; ++k) {
+      const std::uint64_t before = work_counted();
+      answers[at(k)] = move(parts[fresh[at(k)]]);
+      operations[at(k)] = work_counted() - before;
+    }
   });
   for (std::size_t k = 0; k < fresh.size(); ++k) {
+    work_ += operations[k];
     known_.push_back({h, theta, parts[fresh[k]], std::move(answers[k])});
     result[fresh[k]] = &known_.back().moved;
   }

@@ -4,6 +4,7 @@
 #include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -29,12 +30,17 @@ class PartMemory {
   using Move = std::function<MovedPart(const Cluster&)>;
 
   /// Forgets all: another step begins.
-  void clear() { known_.clear(); }
+  void clear() {
+    known_.clear();
+    work_ = 0;
+  }
   /// The parts, of which no two share a body, moved by h with the share theta as `move` does it. Only parts
   /// that are not known are moved, side by side on the threads of the executor; the answer does not depend on
   /// them. One pointer per part, valid until clear().
   std::vector<const MovedPart*> moved(double h, double theta, const std::vector<Cluster>& parts,
                                       const Move& move, const Executor& executor);
+  /// Operations (count_work) of all parts moved since clear(), each once.
+  std::uint64_t work() const { return work_; }
 
  private:
   struct Known {
@@ -45,6 +51,7 @@ class PartMemory {
   const MovedPart* find(double h, double theta, const Cluster& part) const;
 
   std::deque<Known> known_;
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace rigor

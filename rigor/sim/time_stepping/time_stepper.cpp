@@ -31,6 +31,9 @@ double displacement(const Body& body, const BodyPhase& from, const BodyPhase& to
   return (to.x - from.x).norm() + body.bounding_radius * from.q.angularDistance(to.q);
 }
 
+/// A step has done more work than the call may.
+struct TooMuchWork {};
+
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
@@ -58,7 +61,14 @@ void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
 
 double TimeStepper::step_towards(double t_end, double t, State& state) {
   const double left = t_end - t;
-  const double h = take_step(left, state);
+  double h = 0;
+  try {
+    h = take_step(left, state);
+  } catch (const TooMuchWork&) {
+    report_.step_work += work_of_step();
+    report_.reason = StopReason::interrupted;
+    return t;
+  }
   // The end of a whole step is exact; a remainder below the resolution of time is skipped.
   if (h >= left || state.t + h == state.t) state.t = t_end;
   return state.t;
@@ -98,6 +108,7 @@ double TimeStepper::take_step(double h, State& state) {
   // What the tries of this step show is for this step.
   moved_.clear();
   impacts_.clear();
+  try_work_ = 0;
   contacts_.begin_step(state);
   Foresight foresight{h, std::vector<double>(at(model_->body_count()), 0.0)};
   const Cluster start = cluster_in(state);
@@ -126,6 +137,7 @@ double TimeStepper::take_step(double h, State& state) {
   // The trial becomes the State.
   note_lasting(start, *trial);
   report_.add(trial->report);
+  report_.step_work += work_of_step();
   write(trial->end, state);
   touching_ = std::move(trial->touching_after);
   forces_ = std::move(trial->forces);
@@ -167,6 +179,7 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Fores
   constexpr int patient_tries = 20, most_tries = 60;
   for (int k = 0;; ++k) {
     poll_interrupt();
+    if (report_.step_work + work_of_step() > work_limit_) throw TooMuchWork();
     Trial trial = try_once(theta, state, foresight);
     const double h = trial.h;
     const Lesson lesson = learn(state, foresight, trial);
@@ -185,6 +198,7 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Fores
 
 /// Moves all bodies by one step, with the contacts that are foreseen.
 TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const Foresight& foresight) {
+  constexpr std::uint64_t try_operations = 10;
   const Cluster start = cluster_in(state);
   Trial trial{.h = foresight.h,
               .struck = start,
@@ -193,6 +207,7 @@ TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const
               .near = contacts_.near(state, start, foresight)};
   for (const Contact& contact : trial.near.found)
     trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
+  try_work_ += try_operations * (start.bodies.size() + trial.near.pairs.size());
   std::vector<Contact> contacts = trial.near.acting;
   add_stops(start, contacts);
   move_parts(theta, start, contacts, trial);

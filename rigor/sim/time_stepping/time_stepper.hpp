@@ -6,6 +6,8 @@
 #include "rigor/sim/time_stepping/part_memory.hpp"
 #include "rigor/sim/time_stepping/step_contacts.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -31,6 +33,11 @@ class TimeStepper : public FixedStepStepper {
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
     return touching_points(*model_, state, touching_, forces_);
   }
+  /// The next calls may each do so many operations (AdvanceReport::step_work): a call that has done more ends
+  /// between two tries with StopReason::interrupted, and leaves the State as it was before the step.
+  void set_work_limit(double operations) { work_limit_ = operations; }
+  /// Whether the last call ended for that reason.
+  bool is_beyond_work_limit() const { return report_.step_work > work_limit_; }
 
  private:
   using Pair = Foresight::Pair;
@@ -59,6 +66,7 @@ class TimeStepper : public FixedStepStepper {
   void end_span(double t, State& state) override;
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
+  double work_of_step() const { return static_cast<double>(moved_.work() + try_work_); }
   void take_gain(Trial& trial) const;
   Trial try_calmly(const Energy& before, const State& state, Foresight& foresight);
   Trial try_step(double theta, const State& state, Foresight& foresight);
@@ -90,7 +98,9 @@ class TimeStepper : public FixedStepStepper {
   Executor executor_;
   std::vector<Contact> touching_;     ///< At the end of the last step,
   std::vector<ContactForce> forces_;  ///< and the forces of that step.
-  double lift_ = 0;                   ///< Energy that lifts all bodies by the length of the scene [J].
+  std::uint64_t try_work_ = 0;        ///< Operations of the tries of one step, without those of their parts.
+  double work_limit_ = std::numeric_limits<double>::infinity();
+  double lift_ = 0;  ///< Energy that lifts all bodies by the length of the scene [J].
 };
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb/proximal_point_by_forces.hpp"
 
+#include "rigor/core/work_count.hpp"
 #include "rigor/solver/coulomb/alart_curnier.hpp"
 
 #include <Eigen/LU>
@@ -50,6 +51,7 @@ void SearchByForces::complete(Place& place) const {
 
 void SearchByForces::measure(const Place& place, Miss& miss) {
   const std::size_t count = from_->laws.mu.size();
+  count_work(count);
   miss.F.resize(place.lambda.size());
   miss.modes.resize(count);
   miss.slopes.resize(count);

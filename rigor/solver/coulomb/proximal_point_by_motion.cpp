@@ -1,3 +1,4 @@
+#include "rigor/core/work_count.hpp"
 #include "rigor/solver/coulomb/alart_curnier.hpp"
 #include "rigor/solver/coulomb/proximal_point.hpp"
 
@@ -35,6 +36,7 @@ class SearchByMotion {
   void measure(const Motion& motion, Miss& forces) const {
     const VecX w = motion.rates + from_.laws.b;
     const std::size_t count = from_.laws.mu.size();
+    count_work(count);
     forces.lambda.resize(w.size());
     forces.modes.resize(count);
     forces.slopes.resize(count);

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/solver/linear/two_doubles.hpp"
 
 #include <Eigen/OrderingMethods>
@@ -217,6 +218,7 @@ void BlockElimination::eliminate(std::size_t place) {
   Block6* const upper = blocks_.data() + pattern_.node_count();
   Block6* const lower = blocks_.data() + first_lower();
   const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1);
+  count_work((1 + end - begin) * (1 + end - begin));
   for (std::size_t i = begin; i < end; ++i) {
     if (is_symmetric_) lower[i] = upper[i].transpose();
     solve_pivot(blocks_[place], swaps_[place], upper[i]);
