@@ -64,6 +64,15 @@ std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& sta
   CoulombOptions options;
   options.tolerance = 1e-9;
   options.least_norm = false;
+
+  // From what is remembered by proximal points, in a tenth of the time of what follows.
+  if (start.size() > 0) {
+    CoulombOptions bold = options;
+    bold.is_bold = true;
+    bold.resolution = 1e-9 * problem.laws.b.cwiseAbs().maxCoeff();
+    const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, bold, start);
+    if (solution && solution->converged && solution->lambda.allFinite()) return solution->lambda;
+  }
   // From what is remembered, by iteration; else what seems to hold is taken as equations, which loads of any
   // mass ratio solve.
   for (const VecX& from : {start, VecX()}) {

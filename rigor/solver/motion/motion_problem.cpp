@@ -44,7 +44,8 @@ class MotionSolver {
     }
     if (is_frictionless() && is_dense_enough())
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
-    if (start_.size() > 0 && !options_.least_norm) return share_somehow();
+    if (start_.size() > 0 && !options_.least_norm)
+      return options_.resolution ? solve_to_resolution() : share_somehow();
 
     // The modes of a similar problem before, then that every contact holds: most problems are solved by that.
     if (!start.empty()) {
