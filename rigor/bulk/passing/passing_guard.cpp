@@ -58,6 +58,7 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
   const Body& own = model_->body(body);
   ranges_.give(body, static_cast<int>(own.shapes.size()));
   facts_.resize(std::max(facts_.size(), ranges_.size()));
+  // The thinnest solids and surfaces of all bodies decide whether any pair of a step can be far.
   double turning = 0;
   for (std::size_t s = 0; s < own.shapes.size(); ++s) {
     const ShapeFacts& facts = facts_of(own.shapes[s], hulls);
@@ -71,6 +72,7 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
     }
   }
   if (surfaces_ > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface_);
+  // A body that is replaced may have begun or ceased to be moved from outside.
   turning_[at(body)] = turning;
   driven_ -= is_driven_[at(body)];
   is_driven_[at(body)] = own.motion == MotionType::kinematic ? 1 : 0;
@@ -84,10 +86,13 @@ const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
   const auto [known, is_new] = known_.emplace(&shape, ShapeFacts{});
   ShapeFacts& facts = known->second;
   if (!is_new) return facts;
+  // Equal facts of a shape are found once, since its thickness is the dear part.
   facts.thickness = thickness_of(shape.shape);
   facts.turning = turning_radius(shape.shape, shape.X_BS, shape.radius);
   if (is_surface(shape.shape)) return facts;
   if (!hulls) hulls.emplace();
+  // The ball inside is where the lanes hold the shape on its side of a surface; without a hull it is the
+  // shape's thickness.
   const BulkShape bulk = make_bulk_shape(shape, *hulls);
   facts.ball_inside = bulk.hull ? static_cast<double>(bulk.inner_radius()) : facts.thickness;
   const Vec3 center_S = bulk.hull ? Vec3(bulk.hull->center.cast<double>()) : Vec3(Vec3::Zero());
@@ -111,11 +116,13 @@ void PassingGuard::find_groups() {
     for (const int body : model_->bodies_of_joint(j)) {
       if (model_->body(body).motion != MotionType::dynamic) continue;
       is_jointed_[at(body)] = 1;
+      // The lower root stands for both groups, so that the numbers do not depend on the order of joints.
       if (first < 0) first = body;
       const int a = root_of(first), b = root_of(body);
       group_[at(std::max(a, b))] = std::min(a, b);
     }
   }
+  // From now on each body knows its root itself.
   for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
 }
 
@@ -280,6 +287,7 @@ WayOfShape PassingGuard::way_between(int body, int shape, double from, double to
 /// From leg to leg of either way.
 double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
                                         const BulkBodies& bodies) const {
+  // The bends of both ways: the ends of substeps, as parts of the way that the body may go.
   std::vector<double> times = {0, 1};
   for (const int body : {pair.body_A, pair.body_B}) {
     if (!bends(body, bodies)) continue;
@@ -287,6 +295,7 @@ double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  // Between two of them both bodies go straight.
   std::vector<WayLeg> legs;
   for (std::size_t k = 0; times[k] < 1; ++k) {
     legs.push_back({way_between(pair.body_A, pair.shape_A, times[k], times[k + 1], bodies),
@@ -295,6 +304,7 @@ double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
     legs.back().A.X_WB.p -= bodies.x[at(pair.body_A)];
     legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
   }
+  // The number of free legs becomes a part of the step again.
   const double gone = free_legs(legs, deep_share);
   const std::size_t last = std::min(static_cast<std::size_t>(gone), legs.size() - 1);
   return times[last] + (gone - static_cast<double>(last)) * (times[last + 1] - times[last]);
