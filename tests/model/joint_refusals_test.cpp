@@ -84,9 +84,9 @@ TEST(JointRefused, ForItsAxes) {
 
 TEST(JointRefused, ForItsPitch) {
   JointDescription joint = joint_of(JointType::screw);
-  joint.pitch = 0;
+  joint.parameter = 0;
   EXPECT_EQ(errors_of(joint), "joint 'j': pitch is 0 m, must not be 0; a hinge turns without sliding\n");
-  joint.pitch = kNan;
+  joint.parameter = kNan;
   EXPECT_EQ(errors_of(joint), "joint 'j': pitch is nan m, must be from -1e+09 to 1e+09 m\n");
 }
 
@@ -163,7 +163,7 @@ TEST(JointRefused, ForWhatAGearTies) {
   JointDescription gear;
   gear.name = "gear";
   gear.type = JointType::gear;
-  gear.ratio = 2;
+  gear.parameter = 2;
   const auto errors = [](const JointDescription& joint) {
     ModelBuilder builder = jointed_bodies();
     for (const JointType type : {JointType::hinge, JointType::slider, JointType::ball, JointType::fixed}) {
@@ -178,11 +178,11 @@ TEST(JointRefused, ForWhatAGearTies) {
   };
   gear.joints = {"hinge", "slider"};
   EXPECT_EQ(errors(gear), "");
-  gear.ratio = 0;
+  gear.parameter = 0;
   EXPECT_EQ(errors(gear), "joint 'gear': ratio is 0, must not be 0\n");
-  gear.ratio = kNan;
+  gear.parameter = kNan;
   EXPECT_EQ(errors(gear), "joint 'gear': ratio is nan, must be from -1e+06 to 1e+06\n");
-  gear.ratio = 1;
+  gear.parameter = 1;
   gear.joints = {"hinge", "slidr"};
   EXPECT_EQ(errors(gear), "joint 'gear': unknown joint 'slidr'; did you mean 'slider'?\n");
   gear.joints = {"hinge", "hinge"};
