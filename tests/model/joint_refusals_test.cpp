@@ -1,5 +1,6 @@
 #include "model/joint_samples.hpp"
 
+#include "rigor/model/drives.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <gtest/gtest.h>
@@ -210,6 +211,25 @@ TEST(JointRefused, OnceForAllThatComeFromOnePlace) {
   }
   EXPECT_EQ(builder.check(),
             (std::vector<std::string>{"here: joint 'j0': axis is [0, 0, 0], must have a direction"}));
+}
+
+TEST(JointRefused, ForTheNumberOfTheirTypeThatIsZeroOrFarOff) {
+  for (const JointTraits& traits : joint_table) {
+    const JointParameter& own = traits.parameter;
+    if (own.key == nullptr || traits.type == JointType::gear) continue;
+    JointDescription joint = joint_of(traits.type);
+    joint.parameter = 0;
+    EXPECT_NE(errors_of(joint).find(std::string(own.key) + " is 0"), std::string::npos) << traits.name;
+    joint.parameter = 2 * own.range.highest;
+    EXPECT_NE(errors_of(joint).find(std::string(own.key) + " is "), std::string::npos) << traits.name;
+    joint.parameter = own.range.highest;
+    EXPECT_EQ(errors_of(joint), "") << traits.name;
+  }
+}
+
+// The table decides; docs/cpp.md and docs/scene.md name the same types.
+TEST(Efforts, ActAlongAxesThatAreFixedInBothBodies) {
+  EXPECT_EQ(types_that_take_effort(), "hinge, slider, cylindrical, the angle of planar, screw");
 }
 
 TEST(JointRefused, BeyondTheLimitOfTheirNumber) {

@@ -121,9 +121,10 @@ RIGOR_FLOAT_LANES void add_held_rows(const JointPose& pose, JointRowWriter& rows
   if constexpr (traits.relation == JointRelation::screw) {
     const FloatVec3 lead = joint.parameter * pose.z;
     rows.add(pose.z, cross(pose.arm_A + pose.d, pose.z) - lead, cross(pose.arm_B, pose.z) - lead);
-  }
-  if constexpr (traits.relation == JointRelation::distance && !has_laws) {
-    rows.add_displacement(pose, direction_of_distance(pose));
+  } else if constexpr (traits.relation == JointRelation::distance) {
+    if constexpr (!has_laws) rows.add_displacement(pose, direction_of_distance(pose));
+  } else {
+    static_assert(traits.relation == JointRelation::none, "a relation without rows in lanes");
   }
 }
 
