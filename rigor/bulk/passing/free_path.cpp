@@ -1,4 +1,4 @@
-#include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/passing/free_path.hpp"
 
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
@@ -34,7 +34,7 @@ constexpr double deeper_share = 0.05;  ///< What is deep already may become deep
 /// their distance. Tried are planes across the line of their centres, and along the faces of boxes.
 class PartingPlane {
  public:
-  PartingPlane(const WayOfShape& A, const WayOfShape& B)
+  PartingPlane(const ShapePath& A, const ShapePath& B)
       : A_(A), B_(B), X_WA_(A.X_WB * A.shape->X_BS), X_WB_(B.X_WB * B.shape->X_BS) {
     // No point of either shape moves farther than this by the rotations of the bodies.
     turned_ = A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
@@ -64,15 +64,15 @@ class PartingPlane {
   }
 
  private:
-  const WayOfShape& A_;
-  const WayOfShape& B_;
+  const ShapePath& A_;
+  const ShapePath& B_;
   Pose X_WA_, X_WB_;
   double turned_;
 };
 
 class Walk {
  public:
-  Walk(const WayOfShape& A, const WayOfShape& B)
+  Walk(const ShapePath& A, const ShapePath& B)
       : A_(A),
         B_(B),
         motion_A_(A.X_WB, A.dp_W, A.dr_W),
@@ -148,8 +148,8 @@ class Walk {
     return low;
   }
 
-  const WayOfShape& A_;
-  const WayOfShape& B_;
+  const ShapePath& A_;
+  const ShapePath& B_;
   TwistMotion motion_A_, motion_B_;
   MovingCore core_A_, core_B_;
   bool has_bound_, is_mesh_and_convex_;
@@ -157,7 +157,7 @@ class Walk {
 };
 
 /// The part of the way that is free; `level` as in Walk.
-double free_part(const WayOfShape& A, const WayOfShape& B, double deep_share, std::optional<double>& level) {
+double free_part(const ShapePath& A, const ShapePath& B, double deep_share, std::optional<double>& level) {
   const double thinner = std::min(A.thickness, B.thickness);
   const double deepest = level.value_or(-deep_share * thinner);
   if (PartingPlane(A, B).is_there(deepest, level.value_or(deepest + deeper_share * thinner))) {
@@ -169,15 +169,15 @@ double free_part(const WayOfShape& A, const WayOfShape& B, double deep_share, st
 
 }  // namespace
 
-double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share) {
+double free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
   std::optional<double> level;
   return free_part(A, B, deep_share, level);
 }
 
-double free_legs(std::span<const WayLeg> legs, double deep_share) {
+double free_segments(std::span<const PathSegment> legs, double deep_share) {
   std::optional<double> level;
   double gone = 0;
-  for (const WayLeg& leg : legs) {
+  for (const PathSegment& leg : legs) {
     const double part = free_part(leg.A, leg.B, deep_share, level);
     gone += part;
     if (part < 1) break;
