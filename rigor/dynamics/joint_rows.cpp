@@ -157,6 +157,7 @@ void update_joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion
   add_relation(joint, measures, rows);
 }
 
+// NOLINTNEXTLINE(readability-function-size): two joints, each with its bodies.
 JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1, const BodyMotion& B1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2) {
   const JointCoordinate driving = joint_coordinate(first, 0, A1, B1);

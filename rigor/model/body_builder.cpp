@@ -176,6 +176,7 @@ Body make_body(const BodyDescription& description, const std::string& where, con
 
   if (body.motion == MotionType::dynamic) {
     std::vector<double> densities;
+    densities.reserve(shapes.size());
     for (const BodyShape& shape : shapes) {
       densities.push_back(materials.materials[at(shape.material)].density);
     }

@@ -159,6 +159,7 @@ void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, con
   }
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it writes through lambda.
 VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, const VecX* c) const {
   // What the trees' motion leaves of c.
   VecX left(S_.rows());
@@ -176,7 +177,7 @@ VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, c
   }
 
   // The forces that close the loops, and what they are to the nodes on their paths.
-  const VecX mu = dense_.solve(left);
+  VecX mu = dense_.solve(left);
   for (const Loop& loop : loops_) {
     Vec6 forces = Vec6::Zero();
     for (std::size_t i = 0; i < 6; ++i)
