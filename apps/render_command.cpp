@@ -62,8 +62,8 @@ std::optional<Vec3> parse_point(const char* option, const std::string& text) {
   return Vec3::Map(numbers->data());
 }
 
-CameraWishes camera_wishes(const RenderOptions& options) {
-  CameraWishes wishes{parse_point("--eye", options.eye), parse_point("--target", options.target), {}};
+CameraOptions camera_wishes(const RenderOptions& options) {
+  CameraOptions wishes{parse_point("--eye", options.eye), parse_point("--target", options.target), {}};
   if (options.field_of_view) wishes.field_of_view = *options.field_of_view * M_PI / 180;
   if (wishes.eye && wishes.target && *wishes.eye == *wishes.target)
     throw UsageError("--eye and --target are the same point; give two");
@@ -176,7 +176,7 @@ void check_time(double time, const Recording& recording) {
 ExitCode execute(const RenderOptions& given) {
   const RenderOptions options = with_film(given);
   check_options(options);
-  const CameraWishes wishes = camera_wishes(options);
+  const CameraOptions wishes = camera_wishes(options);
   const std::filesystem::path output = output_path(options);
   const bool is_film = !options.mp4.empty(), is_single = options.time.has_value();
   const bool is_sheet = !is_film && !is_single && !options.frames;

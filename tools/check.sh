@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The slower checks: formatting, headers alone, the viewer (with the program that `make program` leaves), clang++ with warnings
-# as errors and its sanitizers under the program and some tests; with `all` under the tests of all layers, and clang-tidy.
+# as errors and its sanitizers under the program and some tests, clang-tidy over changed sources; with `all` over all of them, and the tests of all layers.
 # usage: tools/check.sh [jobs [all]]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -10,11 +10,9 @@ scope=${2:-some}
 echo "== clang-format"
 git ls-files '*.cpp' '*.hpp' '*.inl' | xargs clang-format --dry-run --Werror
 
-# Eleven seconds of CPU time for each source: with `all` only. Alone it also takes what the last commits have changed.
-if [ "$scope" = all ]; then
-  echo "== clang-tidy"
-  nice -n 19 tools/check_tidy.sh "$jobs" all
-fi
+# Some seconds of CPU time for each source: what the last commits have changed, and with `all` every source.
+echo "== clang-tidy"
+nice -n 19 tools/check_tidy.sh "$jobs" "$([ "$scope" = all ] && echo all || echo changed)"
 
 # The viewer's checks wait for a browser much of the time: they go on beside the rest, which gives way to them.
 viewer_log=$(mktemp)

@@ -189,9 +189,9 @@ void Simulation::set_motor_effort(const JointReference& joint, double effort, in
   require_in("effort of the motor", effort, limits::force, is_angle(own.type, coordinate) ? "N m" : "N");
   if (!takes_effort(own, coordinate)) {
     throw InputError(fmt::format(
-        "joint {} is {}: an effort needs a coordinate whose axis is fixed in both bodies (hinge, slider, "
-        "cylindrical, screw, the angle of planar); use set_motor_velocity with max_force",
-        quoted_text(own.name), joint_traits(own.type).title));
+        "joint {} is {}: an effort needs a coordinate whose axis is fixed in both bodies ({}); use "
+        "set_motor_velocity with max_force",
+        quoted_text(own.name), joint_traits(own.type).title, types_that_take_effort()));
   }
   JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor.reset();

@@ -55,6 +55,7 @@ double shape_step(const MovingBodyShape& a, const MovingBodyShape& b, double t, 
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two bodies, each with its motion.
 double bounded_overlap_step(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B, double t,
                             double t_end, double slack) {
   double step = t_end - t;

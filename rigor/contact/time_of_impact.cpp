@@ -324,6 +324,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two bodies, each with its motion.
 TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B,
                                  double t0, double t1, const ToiOptions& options) {
   TimeOfImpact first{false, t1, 0, 0};

@@ -128,6 +128,7 @@ DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int bod
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a step as it stands in the books.
 SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
                           std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
                           const IntegratorTolerances& tolerances) {

@@ -73,8 +73,9 @@ JointCoordinate middle_angle(const JointMeasures& measures) {
 
 /// Displacement less the pitch times the twist in turns; whole turns are those nearest to the displacement.
 JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures) {
-  JointCoordinate residual = measures.displacement(2) - joint.pitch / whole_turn * twist_angle(measures);
-  if (joint.pitch != 0) residual.value = std::remainder(residual.value, joint.pitch);
+  const double pitch = joint.parameter;
+  JointCoordinate residual = measures.displacement(2) - pitch / whole_turn * twist_angle(measures);
+  if (pitch != 0) residual.value = std::remainder(residual.value, pitch);
   return residual;
 }
 
@@ -156,18 +157,20 @@ void update_joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion
   add_relation(joint, measures, rows);
 }
 
+// NOLINTNEXTLINE(readability-function-size): two joints, each with its bodies.
 JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1, const BodyMotion& B1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2) {
   const JointCoordinate driving = joint_coordinate(first, 0, A1, B1);
   const JointCoordinate driven = joint_coordinate(second, 0, A2, B2);
+  const double ratio = gear.parameter;
   // g = c₂ - ratio c₁, with the Jacobians and biases of both coordinates.
   JointRows rows;
-  add_sides(first, driving, -gear.ratio, 0, rows);
+  add_sides(first, driving, -ratio, 0, rows);
   add_sides(second, driven, 1, 0, rows);
   rows.size = 1;
-  rows.g[0] = without_whole_turns(driven.value - gear.ratio * driving.value, gear.ratio,
-                                  is_angle(first.type, 0), is_angle(second.type, 0));
-  rows.bias[0] = driven.bias - gear.ratio * driving.bias;
+  rows.g[0] = without_whole_turns(driven.value - ratio * driving.value, ratio, is_angle(first.type, 0),
+                                  is_angle(second.type, 0));
+  rows.bias[0] = driven.bias - ratio * driving.bias;
   return rows;
 }
 

@@ -47,6 +47,7 @@ bool is_half_turn(const Quat& a, const Quat& b) {
 void check_path(const BodyDescription& body, Findings& findings) {
   if (body.path.empty()) return;
   findings.require(body.motion == MotionType::kinematic, "only a kinematic body has a 'path'");
+  // A path says where the body is at every time, so that nothing else may.
   const bool has_start = !body.p_WU.isZero(0) || !body.q_WU.isApprox(Quat::Identity(), 0);
   findings.require(!has_start && body.velocity.isZero(0) && body.angular_velocity.isZero(0),
                    "its path gives position and velocities, so they may not be given as well");
@@ -58,6 +59,7 @@ void check_path(const BodyDescription& body, Findings& findings) {
     is_good &= findings.check(name + ": orientation", point.q_WU);
     if (!is_good || i == 0) continue;
     const PathPoint& before = body.path[i - 1];
+    // Between two points the motion must be determined: time goes forwards, and the rotation has one sense.
     findings.require(point.time > before.time, name + ": time is " + number_text(point.time) +
                                                    " s, must be > " + number_text(before.time) +
                                                    " s, the time of the point before");
@@ -135,6 +137,8 @@ void use_body_frame(const BodyMass& mass, const BodyDescription& description, st
   body.moments = mass.moments;
   body.X_BU = mass.X_UB.inverse();
   for (BodyShape& shape : shapes) shape.X_BS = body.X_BU * shape.X_BS;
+  // The centre of mass and the principal axes in W; no product where the axes agree, so that a written
+  // orientation is kept to the last bit.
   const bool axes_agree = mass.X_UB.R.isIdentity(0);
   const Quat q_WU = body.q_WB;
   body.p_WB = description.p_WU + rotation_matrix(q_WU) * mass.X_UB.p;
@@ -172,6 +176,7 @@ Body make_body(const BodyDescription& description, const std::string& where, con
 
   if (body.motion == MotionType::dynamic) {
     std::vector<double> densities;
+    densities.reserve(shapes.size());
     for (const BodyShape& shape : shapes) {
       densities.push_back(materials.materials[at(shape.material)].density);
     }

@@ -24,6 +24,7 @@ bool are_equal(const Shape& a, const Shape& b) {
 
 bool are_same(const BodyShape& a, const BodyShape& b) {
   // Poses are compared bit by bit, so that they keep the signs of their zeros.
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   return are_equal(a.shape, b.shape) && std::memcmp(&a.X_BS, &b.X_BS, sizeof(Pose)) == 0 &&
          a.material == b.material && a.radius == b.radius && a.color == b.color;
 }

@@ -69,11 +69,13 @@ void carry_body(const Model& now, const State& state, int old, const Model& next
     copy_bits(state.anchor, old, 13, body, carried.anchor);
     return;
   }
+  // The user's frame stays where it is; the centre of mass and the principal axes may be others in it.
   const Pose X_WU = Pose{rotation_matrix(state.orientation(old)), state.position(old)} * from.X_BU;
   const Pose X_WB = X_WU * to.X_BU.inverse();
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   if (to.motion == MotionType::dynamic) {
     const Vec3 w = angular_velocity(now, state, old);
+    // The motion goes on, so that momenta are those of the new mass at the new centre.
     const Vec3 v = linear_velocity(now, state, old) + w.cross(X_WB.p - state.position(old));
     P = to.mass * v;
     L = X_WB.R * to.moments.cwiseProduct(X_WB.R.transpose() * w);
@@ -89,6 +91,7 @@ Memories carry_contacts(const Memories& contacts, const BodyMap& map, State& car
   std::vector<Memory> kept;
   for (const Memory& contact : contacts) {
     const int a = map.new_of[at(contact.body_A)], b = map.new_of[at(contact.body_B)];
+    // What was remembered is of a contact between two bodies in this order, with their features.
     const bool continues = a >= 0 && b >= 0 && a < b && map.is_same[at(a)] && map.is_same[at(b)];
     if (continues) {
       kept.push_back(contact);
@@ -127,6 +130,7 @@ std::vector<float> carry_joint_impulses(const Model& now, const std::vector<floa
   constexpr std::size_t width = 6;
   std::vector<float> carried(width * next.joints().size(), 0);
   std::map<std::string_view, std::size_t> number_of;
+  // Joints are the same if name and type are; others begin without impulses.
   for (std::size_t i = 0; i < now.joints().size(); ++i) number_of[now.joints()[i].name] = i;
   for (std::size_t i = 0; i < next.joints().size(); ++i) {
     const auto old = number_of.find(next.joints()[i].name);
@@ -149,6 +153,7 @@ State carried_state(const Model& now, const State& state, const Model& next) {
     carried.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
   }
   if (!state.quiet_time.empty()) carried.quiet_time.assign(next.bodies().size(), 0);
+  // Bodies sleep on only where nothing about them has changed.
   const bool stay_asleep = !state.quiet_time.empty() && has_same_surroundings(now, next, map);
   for (int i = 0; i < next.body_count(); ++i) {
     const int old = map.old_of[at(i)];

@@ -87,9 +87,8 @@ std::vector<JointDrive> make_drives(std::vector<JointDrive> drives, int index, J
         check_function("effort of the motor", drive.aim, limits::force, turns ? "N m" : "N", findings);
         findings.require(takes_effort(joint, drive.coordinate),
                          fmt::format("{} takes no effort along this coordinate: its axis must be fixed in "
-                                     "both bodies (hinge, slider, cylindrical, screw, the angle of planar); "
-                                     "give the motor a velocity with a max_force",
-                                     joint_traits(joint.type).title));
+                                     "both bodies ({}); give the motor a velocity with a max_force",
+                                     joint_traits(joint.type).title, types_that_take_effort()));
         break;
     }
     check_joint_axes(joint.type, checked, joint.length, findings);

@@ -5,14 +5,38 @@
 
 namespace rigor {
 
-bool takes_effort(const Joint& joint, int coordinate) {
-  const JointTraits& traits = joint_traits(joint.type);
+namespace {
+
+bool takes_effort(const JointTraits& traits, int coordinate) {
   const bool has_parallel_axes =
       traits.held_rotation == HeldRotation::swing || traits.held_rotation == HeldRotation::all;
   const bool is_in_line = traits.holds_displacement[0] && traits.holds_displacement[1];
   const CoordinateType type = traits.coordinate_list[at(coordinate)];
   return has_parallel_axes &&
          (type == CoordinateType::twist || (type == CoordinateType::displacement_z && is_in_line));
+}
+
+}  // namespace
+
+bool takes_effort(const Joint& joint, int coordinate) {
+  return takes_effort(joint_traits(joint.type), coordinate);
+}
+
+std::string types_that_take_effort() {
+  std::string text;
+  for (const JointTraits& traits : joint_table) {
+    std::string some;
+    int count = 0;
+    for (int k = 0; k < traits.coordinate_count; ++k) {
+      if (!takes_effort(traits, k)) continue;
+      ++count;
+      some = is_angle(traits.type, k) ? "the angle of " : "the displacement of ";
+    }
+    if (count == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += (count == traits.coordinate_count ? "" : some) + traits.name;
+  }
+  return text;
 }
 
 std::vector<Force> forces_of_effort(const Model& model, int joint, int coordinate, double effort) {

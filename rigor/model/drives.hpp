@@ -44,6 +44,8 @@ struct Drives {
 
 /// Whether forces on the two bodies can stand for an effort along that coordinate: its axis is fixed in both.
 bool takes_effort(const Joint& joint, int coordinate);
+/// The types of joints that do, for messages: "hinge, slider, the angle of planar".
+std::string types_that_take_effort();
 /// The forces of an effort [N m] or [N] on the bodies of a joint: they turn with them.
 std::vector<Force> forces_of_effort(const Model& model, int joint, int coordinate, double effort);
 /// The force times a factor.

@@ -46,6 +46,7 @@ void check_numbers(const ForceDescription& force, Findings& findings) {
 
 Spring make_spring(const ForceDescription& force, const std::vector<int>& indices,
                    const std::vector<Body>& bodies) {
+  // The ends in the body frames, and in W at t = 0 for the length at rest.
   Vec3 points_B[2], points_W[2];
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 p_U = i < force.points.size() ? force.points[i] : Vec3::Zero();
@@ -77,6 +78,7 @@ std::optional<Force> make_force(const ForceDescription& force, const std::string
   if (!indices || messages.size() > messages_before) return std::nullopt;
 
   if (force.type == ForceDescription::Type::spring) return make_spring(force, *indices, bodies.bodies);
+  // Points and vectors of the user's frame go into the body frame.
   const int index = indices->front();
   const Pose& X_BU = bodies.bodies[at(index)].X_BU;
   const Vec3 vector = force.frame_is_body ? Vec3(X_BU.R * force.vector) : force.vector;

@@ -48,15 +48,16 @@ struct Joint {
   JointType type = JointType::fixed;
   /// Index into the model, or world_body; at least one body is dynamic. A gear's are both world_body.
   int body_A = 0;
-  int body_B = 0;     ///< Likewise.
-  Pose X_AF;          ///< The joint's frame on A (W for the world).
-  Pose X_BK;          ///< The joint's frame on B (W for the world).
-  double pitch = 0;   ///< Screw: displacement along +z per turn [m].
+  int body_B = 0;  ///< Likewise.
+  Pose X_AF;       ///< The joint's frame on A (W for the world).
+  Pose X_BK;       ///< The joint's frame on B (W for the world).
+  /// The number of its relation (JointTraits::parameter). Of a screw: the pitch, displacement along +z per
+  /// turn [m]. Of a gear: the ratio, (change of the second's first coordinate) = ratio (of the first's).
+  double parameter = 0;
   double length = 0;  ///< Distance: the distance that is kept [m], unless it has limits.
   /// Of a gear.
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.
-  double ratio = 0;             ///< Gear: (change of the second's first coordinate) = ratio (of the first's).
-  std::vector<JointAxis> axes;  ///< One per coordinate of its type.
+  std::vector<JointAxis> axes;              ///< One per coordinate of its type.
 
   /// Whether one of its coordinates has a motor.
   bool has_motor() const {

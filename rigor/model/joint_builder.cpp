@@ -77,19 +77,25 @@ bool check_anchors(const JointDescription& joint, Findings& findings) {
   return is_good;
 }
 
+/// The number of the type's relation, if it has one, is in its range and not 0.
+void check_parameter(const JointDescription& joint, Findings& findings) {
+  const JointParameter& parameter = joint_traits(joint.type).parameter;
+  if (parameter.key == nullptr) return;
+  findings.check(parameter.key, joint.parameter, parameter.range, parameter.unit);
+  const std::string unit = *parameter.unit == 0 ? "" : std::string(" ") + parameter.unit;
+  findings.require(joint.parameter != 0,
+                   fmt::format("{} is 0{}, must not be 0{}", parameter.key, unit, parameter.if_zero));
+}
+
 void check_numbers(const JointDescription& joint, Findings& findings) {
   findings.check_name(joint.name);
   if (joint.type == JointType::gear) {
     check_joint_axes(joint.type, joint.axes, 0, findings);
-    findings.check("ratio", joint.ratio, limits::ratio, "");
-    findings.require(joint.ratio != 0, "ratio is 0, must not be 0");
-    return;
+    return check_parameter(joint, findings);
   }
   if (check_anchors(joint, findings)) check_joint_axes(joint.type, joint.axes, start_of(joint), findings);
   check_axes(joint, findings);
-  if (joint_traits(joint.type).relation != JointRelation::screw) return;
-  findings.check("pitch", joint.pitch, limits::position, "m");
-  findings.require(joint.pitch != 0, "pitch is 0 m, must not be 0; a hinge turns without sliding");
+  check_parameter(joint, findings);
 }
 
 /// Index of a joint that a gear can tie, or nothing.
@@ -123,7 +129,6 @@ std::optional<Joint> make_gear(const JointDescription& description, const JointT
   joint.body_A = joint.body_B = world_body;
   joint.first_joint = *first;
   joint.second_joint = *second;
-  joint.ratio = description.ratio;
   return joint;
 }
 
@@ -194,7 +199,7 @@ std::optional<Joint> make_joint(const JointDescription& description, const std::
 
   joint->name = description.name;
   joint->type = description.type;
-  joint->pitch = description.pitch;
+  joint->parameter = description.parameter;
   joint->length = start_of(description);
   joint->axes = description.axes;
   joint->axes.resize(at(coordinate_count(joint->type)));

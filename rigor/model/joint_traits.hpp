@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/core/index.hpp"
+#include "rigor/model/limits.hpp"
 
 #include <array>
 #include <cstddef>
@@ -72,6 +73,17 @@ enum class JointAxes {
 /// What pictures show of a joint. Rods go from the bodies' centres to the anchors.
 enum class JointDrawing { nothing, rods, rods_and_ball, rods_and_line };
 
+/// The number that the relation of a type needs besides places and directions, as the pitch of a screw; never
+/// 0.
+struct JointParameter {
+  const char* key = nullptr;  ///< In scene files; null: the type has none.
+  const char* unit = "";
+  Range range{};
+  const char* meaning = "";  ///< In the tables of the keys of scene files.
+  const char* if_zero = "";  ///< What a message against 0 advises.
+  bool is_per_turn = false;  ///< Whether it belongs to a whole turn of an angle; lanes take it per radian.
+};
+
 /// All that is known of a type of joint outside its equations. Everything else reads this: the builder's
 /// checks, the keys of scene files, the rows of the equations, the lanes of the many-body path, the pictures.
 struct JointTraits {
@@ -81,6 +93,7 @@ struct JointTraits {
   std::array<bool, 3> holds_displacement{};  ///< From F to K along x, y, z of F.
   HeldRotation held_rotation = HeldRotation::none;
   JointRelation relation = JointRelation::none;
+  JointParameter parameter{};  ///< Of the relation: Joint::parameter.
   int coordinate_count = 0;
   std::array<CoordinateType, 3> coordinate_list{};  ///< Its first coordinate_count are used.
   const char* coordinates_text = "";                ///< Of several, for messages.
@@ -165,19 +178,30 @@ inline constexpr std::array joint_table{
                 .coordinate_list = {CoordinateType::distance},
                 .anchors = JointAnchors::two,
                 .drawing = JointDrawing::rods_and_line},
-    JointTraits{.type = JointType::screw,
-                .name = "screw",
-                .title = "a screw",
-                .holds_displacement = {true, true, false},
-                .held_rotation = HeldRotation::swing,
-                .relation = JointRelation::screw,
-                .coordinate_count = 1,
-                .coordinate_list = {CoordinateType::twist},
-                .axes = JointAxes::z},
+    JointTraits{
+        .type = JointType::screw,
+        .name = "screw",
+        .title = "a screw",
+        .holds_displacement = {true, true, false},
+        .held_rotation = HeldRotation::swing,
+        .relation = JointRelation::screw,
+        .parameter = {.key = "pitch",
+                      .unit = "m",
+                      .range = limits::position,
+                      .meaning = "sliding along the axis per revolution; not 0, negative: left-handed",
+                      .if_zero = "; a hinge turns without sliding",
+                      .is_per_turn = true},
+        .coordinate_count = 1,
+        .coordinate_list = {CoordinateType::twist},
+        .axes = JointAxes::z},
     JointTraits{.type = JointType::gear,
                 .name = "gear",
                 .title = "a gear",
                 .relation = JointRelation::gear,
+                .parameter = {.key = "ratio",
+                              .range = limits::ratio,
+                              .meaning = "change of the second joint's first coordinate per change of the "
+                                         "first's; not 0"},
                 .anchors = JointAnchors::none,
                 .drawing = JointDrawing::nothing},
     JointTraits{.type = JointType::point_on_line,
@@ -265,9 +289,16 @@ constexpr int held_row_count(JointType type) {
       count += 1;
       break;
   }
-  const bool has_own_row =
-      traits.relation == JointRelation::distance || traits.relation == JointRelation::screw;
-  return count + (has_own_row ? 1 : 0);
+  switch (traits.relation) {
+    case JointRelation::none:
+    case JointRelation::gear:
+      break;
+    case JointRelation::distance:
+    case JointRelation::screw:
+      count += 1;
+      break;
+  }
+  return count;
 }
 
 }  // namespace rigor

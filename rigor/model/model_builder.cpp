@@ -76,6 +76,7 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
     }
     if (messages.size() >= limits::message_count) break;
     if (!is_known) continue;
+    // A pair is the same in either order.
     const auto key = std::minmax({materials.index.at(a), materials.index.at(b)});
     findings.require(pairs.emplace(key, pair.coefficients).second, "this pair is given twice");
   }
@@ -195,6 +196,7 @@ bool ModelBuilder::remove_body(const std::string& name) {
   std::erase_if(parts_->excluded,
                 [&](const auto& part) { return part.value.a == name || part.value.b == name; });
   std::erase_if(parts_->forces, [&](const auto& part) { return holds(part.value.bodies); });
+  // Joints of the body go, and with them the gears that tie these.
   std::set<std::string> gone;
   for (const auto& [joint, where] : parts_->joints) {
     if (holds(joint.bodies)) gone.insert(joint.name);
@@ -226,6 +228,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   model.g_W_ = parts_->gravity.value;
   Findings(parts_->gravity.where, "world", messages).check("gravity", model.g_W_, limits::gravity, "m/s²");
 
+  // Materials first, since shapes name them, then the bodies in the user's order.
   const MaterialTable materials = make_materials(parts_->materials, messages);
   model.materials_ = materials.materials;
   model.pair_overrides_ = make_pairs(parts_->pairs, materials, messages);
@@ -250,6 +253,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   }
   model.length_scale_ = length_scale(model.bodies_);
 
+  // Whatever names bodies: pairs that do not collide, forces, joints.
   for (const auto& [name, body] : index) model.by_name_.push_back(body);
   const BodyTable bodies{model.bodies_, index};
   model.excluded_pairs_ = make_excluded(parts_->excluded, bodies, messages);
@@ -294,6 +298,7 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
       continue;
     }
     model.joints_.push_back(*joint);
+    // The bodies of a joint overlap at it as a rule, so that they do not collide unless the scene says so.
     const bool has_pair = joint->body_A != world_body && joint->body_B != world_body;
     if (has_pair && !description.collide) {
       model.excluded_pairs_.push_back(std::minmax({joint->body_A, joint->body_B}));

@@ -131,9 +131,8 @@ class ModelBuilder {
                                       ///< not dynamic).
     Vec3 axis = Vec3::UnitZ();        ///< z of the joint's frame, of any length.
     std::optional<Vec3> second_axis;  ///< x of that frame: the axis on B, or a direction (JointAxes).
-    double pitch = 0;                 ///< Screw [m].
     std::vector<std::string> joints;  ///< Gear: the first and the second.
-    double ratio = 0;                 ///< Gear.
+    double parameter = 0;             ///< Of the type (JointTraits): a screw's pitch [m], a gear's ratio.
     std::vector<JointAxis> axes;      ///< Missing ones are free.
     std::vector<JointDrive> drives;   ///< Motors that are functions of the time or servos; joint is ignored.
     bool collide = false;             ///< Whether its bodies can touch each other.

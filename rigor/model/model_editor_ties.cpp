@@ -55,6 +55,7 @@ void ModelEditor::drop_ties_of(int body) {
     goes[i] = joint.type != JointType::gear && (joint.body_A == body || joint.body_B == body);
   }
   erase_joints(goes);
+  // The entry may be erased, so that the next one is found first.
   for (auto entry = exclusions_.begin(); entry != exclusions_.end();) {
     const auto [a, b] = entry->first;
     ++entry;
@@ -89,11 +90,13 @@ void ModelEditor::drop_idle_joints() {
 void ModelEditor::erase_joints(const std::vector<char>& to_go) {
   begin_ties();
   std::vector<Joint>& joints = model_->joints_;
+  // A gear cannot stand without the joints that it ties.
   std::vector<char> goes = to_go;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (joints[i].type == JointType::gear)
       goes[i] = goes[i] != 0 || goes[at(joints[i].first_joint)] != 0 || goes[at(joints[i].second_joint)] != 0;
   }
+  // Those that stay move up; of those that go, name, counts and exclusions go too.
   std::vector<int> number(joints.size(), -1);  // Of those that stay.
   std::vector<Joint> kept;
   std::vector<int> was;
@@ -130,6 +133,7 @@ void ModelEditor::change_exclusion(int a, int b, int by) {
   const int before = known == exclusions_.end() ? 0 : known->second;
   const int after = std::max(before + by, 0);
   if (after == before) return;
+  // Only the first reason and the last one change the model.
   exclusions_[pair] = after;
   if ((before > 0) == (after > 0)) return;
   std::vector<std::pair<int, int>>& excluded = model_->excluded_pairs_;

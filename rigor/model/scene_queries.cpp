@@ -30,6 +30,7 @@ bool is_nearer(const NearBody& a, const NearBody& b) {
 
 /// The box grown by the rounding errors of what is computed for points inside it.
 Aabb with_rounding(const Aabb& box) {
+  // Points inside are computed from coordinates of this size.
   double largest = 0;
   for (const Vec3& corner : {box.lower, box.upper}) {
     for (const double x : corner) {
@@ -48,6 +49,7 @@ SceneQueries::SceneQueries(const Model& model, const State& state) : model_(mode
 void SceneQueries::update(const State& state) {
   RIGOR_ASSERT(state.body_count() == model_.body_count());
   constexpr int updates_per_tree = 64;
+  // The tree is kept and refitted; it gets worse the farther bodies go, so now and then it is built anew.
   const bool is_rebuilt = updates_++ % updates_per_tree == 0;
   poses_.resize(model_.bodies().size());
   boxes_.resize(model_.bodies().size());
@@ -148,6 +150,7 @@ std::vector<NearBody> SceneQueries::nearest(const Aabb& around, int k, const Fil
         const NearBody here = measure(at);
         if (at.shape == 0 || here.distance < best.distance) best = here;
       }
+      // The k nearest so far, in their order; the farthest of them bounds the search.
       found.insert(std::upper_bound(found.begin(), found.end(), best, is_nearer), best);
       if (static_cast<int>(found.size()) > k) found.pop_back();
     }

@@ -95,6 +95,7 @@ struct ShapeCheck {
     for (const Vec3& vertex : vertices) {
       if (!findings.check(what + ": a vertex", vertex, limits::position, "m")) return false;
     }
+    // A surface far from its origin is fine, one without extent is not.
     Vec3 lower = vertices[0], upper = vertices[0];
     for (const Vec3& vertex : vertices) {
       lower = lower.cwiseMin(vertex);
@@ -116,6 +117,7 @@ MassProperties shape_mass(const Shape& shape, double density, ShapeMemory& memor
   if (!shared) return mass_properties(shape, density);
 
   const auto [entry, is_new] = memory.of_unit_density.try_emplace(shared);
+  // Integrals over a mesh are done once; mass and inertia are in proportion to the density.
   if (is_new) entry->second = mass_properties(shape, 1);
   MassProperties properties = entry->second;
   properties.mass *= density;

@@ -107,6 +107,7 @@ bool do_fit(const Counts& counts, std::uint64_t words) {
 }
 
 void check_frame(const Bytes& bytes) {
+  // From the outside inwards: length, kind of file, version.
   const std::string found = std::to_string(bytes.size()) + " bytes";
   if (bytes.size() < header_length + 8 * single_words + checksum_length) {
     throw InputError("state: damaged, it has only " + found);
@@ -126,6 +127,7 @@ void check_frame(const Bytes& bytes) {
                      " manifolds, " + std::to_string(counts.joint_impulses) + " joint impulses and " +
                      std::to_string(counts.quiet_times) + " quiet times do not fit its " + found);
   }
+  // The checksum last, over bytes whose layout is plausible.
   const std::size_t end = bytes.size() - checksum_length;
   if (checksum(bytes, end) != read_number(bytes, end, 8))
     throw InputError("state: damaged, its checksum is wrong");
@@ -216,6 +218,7 @@ ManifoldMemory read_manifold(WordReader& reader) {
 std::vector<unsigned char> serialise(const State& state) {
   const std::size_t n = state.epoch.size();
   Bytes bytes(magic.begin(), magic.end());
+  // One allocation: the length follows from the counts.
   const std::size_t m = state.contacts.size();
   bytes.reserve(header_length +
                 8 * (single_words + doubles_of_a_body * n + words_of_a_contact * m +

@@ -109,10 +109,10 @@ std::string contact_error(const Model& model, const State& state) {
 /// Lists that some schemes keep for all bodies or joints, and others not at all.
 std::string list_error(const Model& model, const State& state) {
   const std::size_t n = at(model.body_count());
-  if (state.quiet_time.size() != 0 && state.quiet_time.size() != n)
+  if (!state.quiet_time.empty() && state.quiet_time.size() != n)
     return "it has " + std::to_string(state.quiet_time.size()) + " quiet times for " + std::to_string(n) +
            " bodies";
-  if (state.joint_impulses.size() != 0 &&
+  if (!state.joint_impulses.empty() &&
       state.joint_impulses.size() != impulses_of_joint * model.joints().size())
     return "it has " + std::to_string(state.joint_impulses.size()) + " joint impulses for " +
            std::to_string(model.joints().size()) + " joints";

@@ -24,7 +24,7 @@ TEST(BulkGears, WheelsTurnInProportionAndShareTheirMomenta) {
   add_wheel("a", Vec3(0, 0, 0), 2, builder);
   add_wheel("b", Vec3(1, 0, 0), 3, builder);
   builder.add_joint(
-      {.name = "gear", .type = JointType::gear, .joints = {"hinge of a", "hinge of b"}, .ratio = -0.5});
+      {.name = "gear", .type = JointType::gear, .joints = {"hinge of a", "hinge of b"}, .parameter = -0.5});
   JointRun run(builder.build());
   run.set(0, Vec3::Zero(), Vec3(0, 0, 4));
   run.run(10, kStep, 4);

@@ -40,7 +40,7 @@ std::shared_ptr<const Model> random_chain(JointType type, int count, unsigned se
     joint.anchors = {body.p_WU - Vec3(0.3, 0, 0)};
     if (type == JointType::distance) joint.anchors.push_back(body.p_WU + 0.1 * random.vector());
     if (type == JointType::universal) joint.second_axis = joint.axis.cross(random.vector());
-    if (type == JointType::screw) joint.pitch = 0.4;
+    if (type == JointType::screw) joint.parameter = 0.4;
     builder.add_joint(joint);
   }
   return builder.build();

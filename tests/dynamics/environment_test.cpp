@@ -168,7 +168,7 @@ TEST(Environment, JointsTieTheirBodiesAndMakeThemForced) {
   gear.name = "5";
   gear.type = JointType::gear;
   gear.joints = {"1", "3"};
-  gear.ratio = -1;
+  gear.parameter = -1;
   builder.add_joint(gear);
   const auto model = builder.build();
   const Environment environment(*model);

@@ -16,7 +16,7 @@ using tests::turned;
 Joint gear_of(double ratio) {
   Joint gear;
   gear.type = JointType::gear;
-  gear.ratio = ratio;
+  gear.parameter = ratio;
   return gear;
 }
 

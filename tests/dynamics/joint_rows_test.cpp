@@ -126,7 +126,7 @@ TEST_P(JointTypes, RatesAndSecondDerivativesAreThoseOfTheResidual) {
       const bool has_turns = GetParam() == JointType::screw && row == 4;
       const Curve change = [&](double t) {
         const double value = joint_rows(pair.joint, moved(pair.A, t), moved(pair.B, t)).g[row] - rows.g[row];
-        return has_turns ? std::remainder(value, pair.joint.pitch) : value;
+        return has_turns ? std::remainder(value, pair.joint.parameter) : value;
       };
       const double rate =
           rows.J[0].row(row).dot(velocities(pair.A)) + rows.J[1].row(row).dot(velocities(pair.B));

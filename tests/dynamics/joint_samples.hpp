@@ -37,7 +37,7 @@ inline Joint random_joint(JointType type, test::Random& random) {
              p_K = random.vector();
   joint.X_AF = {turned(turn_F), p_F};
   joint.X_BK = {turned(turn_K), p_K};
-  joint.pitch = 0.3;
+  joint.parameter = 0.3;
   joint.length = 1.7;
   joint.axes.resize(static_cast<std::size_t>(coordinate_count(type)));
   return joint;
@@ -75,7 +75,7 @@ inline AllowedPose random_allowed_pose(const Joint& joint, test::Random& random)
     case JointType::distance:
       return {{turned(phi), joint.length * p.normalized()}, {joint.length}};
     case JointType::screw:  // two whole turns are in the displacement alone
-      return {{about_z, joint.pitch * (angle / (2 * M_PI) + 2) * z}, {angle}};
+      return {{about_z, joint.parameter * (angle / (2 * M_PI) + 2) * z}, {angle}};
     case JointType::point_on_line:
       return {{turned(phi), p.z() * z}, {p.z()}};
     default:

@@ -74,7 +74,7 @@ TEST(JointReader, ReadsEveryType) {
   EXPECT_EQ(joint_of("type: fixed" + two).type, JointType::fixed);
   EXPECT_EQ(joint_of("type: ball" + two + at + ", limits: [0, 1]").axes[0].upper, 1);
   EXPECT_EQ(joint_of("type: slider" + two + axis + ", limits: [-1, 2]").axes[0].lower, -1);
-  EXPECT_EQ(joint_of("type: screw" + two + at + axis + ", pitch: 0.5").pitch, 0.5);
+  EXPECT_EQ(joint_of("type: screw" + two + at + axis + ", pitch: 0.5").parameter, 0.5);
   EXPECT_EQ(joint_of("type: cylindrical" + two + at + axis).axes.size(), 2u);
   const Joint universal = joint_of("type: universal" + two + at + axis + ", second_axis: [0, 3, 0]");
   EXPECT_LT((universal.X_BK.R.col(0) - Vec3::UnitY()).norm(), kRounding);
@@ -85,7 +85,7 @@ TEST(JointReader, ReadsEveryType) {
                                             "}, {name: g, type: gear, joints: [p, q], ratio: -0.5}"));
   EXPECT_EQ(geared.model->joint(2).type, JointType::gear);
   EXPECT_EQ(geared.model->joint(2).second_joint, 1);
-  EXPECT_EQ(geared.model->joint(2).ratio, -0.5);
+  EXPECT_EQ(geared.model->joint(2).parameter, -0.5);
   EXPECT_EQ(geared.model->joint(0).body_A, -1);
 }
 

@@ -137,7 +137,7 @@ TEST(ModelBuilder, BodyThatIsRemovedTakesWhatNamesItAlong) {
   gear.name = "gear";
   gear.type = JointType::gear;
   gear.joints = {"first", "second"};
-  gear.ratio = 2;
+  gear.parameter = 2;
   builder.add_joint(gear);
   ASSERT_EQ(builder.check(), std::vector<std::string>{});
   EXPECT_FALSE(builder.remove_body("d"));

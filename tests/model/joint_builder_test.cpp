@@ -133,7 +133,7 @@ TEST(JointBuilder, AGearTiesJointsByTheirPlaceInTheSceneWhateverTheOrder) {
   gear.name = "gear";
   gear.type = JointType::gear;
   gear.joints = {"second", "first"};
-  gear.ratio = -2;
+  gear.parameter = -2;
   builder.add_joint(gear);
   JointDescription hinge = joint_of(JointType::hinge);
   hinge.name = "first";
@@ -146,7 +146,7 @@ TEST(JointBuilder, AGearTiesJointsByTheirPlaceInTheSceneWhateverTheOrder) {
   const Joint& joint = model->joint(0);
   EXPECT_EQ(joint.first_joint, 2);
   EXPECT_EQ(joint.second_joint, 1);
-  EXPECT_EQ(joint.ratio, -2);
+  EXPECT_EQ(joint.parameter, -2);
   EXPECT_EQ(joint.body_A, world_body);
   EXPECT_EQ(joint.body_B, world_body);
   EXPECT_EQ(model->joint(1).name, "first");

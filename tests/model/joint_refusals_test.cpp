@@ -1,5 +1,6 @@
 #include "model/joint_samples.hpp"
 
+#include "rigor/model/drives.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <gtest/gtest.h>
@@ -84,9 +85,9 @@ TEST(JointRefused, ForItsAxes) {
 
 TEST(JointRefused, ForItsPitch) {
   JointDescription joint = joint_of(JointType::screw);
-  joint.pitch = 0;
+  joint.parameter = 0;
   EXPECT_EQ(errors_of(joint), "joint 'j': pitch is 0 m, must not be 0; a hinge turns without sliding\n");
-  joint.pitch = kNan;
+  joint.parameter = kNan;
   EXPECT_EQ(errors_of(joint), "joint 'j': pitch is nan m, must be from -1e+09 to 1e+09 m\n");
 }
 
@@ -163,7 +164,7 @@ TEST(JointRefused, ForWhatAGearTies) {
   JointDescription gear;
   gear.name = "gear";
   gear.type = JointType::gear;
-  gear.ratio = 2;
+  gear.parameter = 2;
   const auto errors = [](const JointDescription& joint) {
     ModelBuilder builder = jointed_bodies();
     for (const JointType type : {JointType::hinge, JointType::slider, JointType::ball, JointType::fixed}) {
@@ -178,11 +179,11 @@ TEST(JointRefused, ForWhatAGearTies) {
   };
   gear.joints = {"hinge", "slider"};
   EXPECT_EQ(errors(gear), "");
-  gear.ratio = 0;
+  gear.parameter = 0;
   EXPECT_EQ(errors(gear), "joint 'gear': ratio is 0, must not be 0\n");
-  gear.ratio = kNan;
+  gear.parameter = kNan;
   EXPECT_EQ(errors(gear), "joint 'gear': ratio is nan, must be from -1e+06 to 1e+06\n");
-  gear.ratio = 1;
+  gear.parameter = 1;
   gear.joints = {"hinge", "slidr"};
   EXPECT_EQ(errors(gear), "joint 'gear': unknown joint 'slidr'; did you mean 'slider'?\n");
   gear.joints = {"hinge", "hinge"};
@@ -210,6 +211,25 @@ TEST(JointRefused, OnceForAllThatComeFromOnePlace) {
   }
   EXPECT_EQ(builder.check(),
             (std::vector<std::string>{"here: joint 'j0': axis is [0, 0, 0], must have a direction"}));
+}
+
+TEST(JointRefused, ForTheNumberOfTheirTypeThatIsZeroOrFarOff) {
+  for (const JointTraits& traits : joint_table) {
+    const JointParameter& own = traits.parameter;
+    if (own.key == nullptr || traits.type == JointType::gear) continue;
+    JointDescription joint = joint_of(traits.type);
+    joint.parameter = 0;
+    EXPECT_NE(errors_of(joint).find(std::string(own.key) + " is 0"), std::string::npos) << traits.name;
+    joint.parameter = 2 * own.range.highest;
+    EXPECT_NE(errors_of(joint).find(std::string(own.key) + " is "), std::string::npos) << traits.name;
+    joint.parameter = own.range.highest;
+    EXPECT_EQ(errors_of(joint), "") << traits.name;
+  }
+}
+
+// The table decides; docs/cpp.md and docs/scene.md name the same types.
+TEST(Efforts, ActAlongAxesThatAreFixedInBothBodies) {
+  EXPECT_EQ(types_that_take_effort(), "hinge, slider, cylindrical, the angle of planar, screw");
 }
 
 TEST(JointRefused, BeyondTheLimitOfTheirNumber) {

@@ -38,7 +38,7 @@ inline JointDescription joint_of(JointType type) {
   joint.anchors = {Vec3(1, 1, 1)};
   if (type == JointType::distance) joint.anchors.push_back(Vec3(4, 5, 1));
   if (type == JointType::universal) joint.second_axis = Vec3(1, 0, 0);
-  if (type == JointType::screw) joint.pitch = 0.1;
+  if (type == JointType::screw) joint.parameter = 0.1;
   return joint;
 }
 

@@ -6,7 +6,7 @@
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
-#include "rigor/sim/witness/step_way.hpp"
+#include "rigor/sim/witness/step_path.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(WatchedPairs, LeavesOutNothingThatFollowingAllPathsFinds) {
       watched.watch(state, report);
       std::vector<BodyPath> paths;
       for (int i = 0; i < model->body_count(); ++i)
-        paths.push_back({step_way(*model, environment, i, before, state)});
+        paths.push_back({step_path(*model, environment, i, before, state)});
       followed.watch(paths, all);
       ASSERT_EQ(report.passages.instants, all.passages.instants);
       ASSERT_EQ(report.passages.body_A, all.passages.body_A);

@@ -21,7 +21,7 @@ TEST(Photographer, TheLegendStandsWhereItCoversNoBody) {
       "  - {name: a, mass: 1, shapes: [{type: sphere, radius: 0.3}]}\n"
       "  - {name: b, mass: 1, shapes: [{type: sphere, radius: 0.3}]}\n";
   Recording recording = made_up_recording(scene_of(small_balls), 1, 1);
-  const CameraWishes wishes{Vec3(0, -10, 0), Vec3(0, 0, 0), {}};
+  const CameraOptions wishes{Vec3(0, -10, 0), Vec3(0, 0, 0), {}};
   // At the left and the right edge, below the name and below the time, then in the lower left corner as well.
   for (const Vec3& second : {Vec3(4.4, 0, 2), Vec3(-4.4, 0, -2.2)}) {
     recording.motion.position = {-4.4, 0, 2, second.x(), second.y(), second.z()};

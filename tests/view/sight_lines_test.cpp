@@ -108,7 +108,7 @@ TEST(Photographer, NeverLooksFromBehindAWallThatItCanGoRound) {
 }
 
 TEST(Photographer, AWallBetweenTheUsersEyeAndABallIsGlass) {
-  const CameraWishes wishes{Vec3(-4, 0, 0), Vec3(0, 0, 0), {}, {}};
+  const CameraOptions wishes{Vec3(-4, 0, 0), Vec3(0, 0, 0), {}, {}};
   const PictureSize size{160, 90};
   const auto middle = [&](const std::string& standing, const Vec3& place) {
     const Recording recording = flight(standing, {place});

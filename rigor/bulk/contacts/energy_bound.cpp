@@ -65,10 +65,13 @@ void EnergyBound::find_tied() {
   const auto mark = [&](int body) {
     if (body != world_body) is_unknown_[at(body)] = 1;
   };
+  // A spring of the scene exchanges energy with its bodies that is not counted here.
   for (const Force& force : model.forces()) {
     const Spring* const spring = std::get_if<Spring>(&force);
     if (spring != nullptr) mark(spring->body_A), mark(spring->body_B);
   }
+  // Motors, springs along joints and prescribed bodies do work through them; a body that hangs on something
+  // fixed passes momentum to it.
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
     const std::vector<int> bodies = model.bodies_of_joint(j);
     bool is_unknown = false;
@@ -80,6 +83,7 @@ void EnergyBound::find_tied() {
       is_unknown = is_unknown || model.body(body).motion == MotionType::kinematic;
       is_anchored = is_anchored || model.body(body).motion != MotionType::dynamic;
     }
+    // All bodies of a joint have what holds for one of them.
     if (is_anchored) {
       for (const int body : bodies) is_anchored_[at(body)] = 1;
     }
@@ -103,7 +107,9 @@ void EnergyBound::add_work(const BulkBodies& bodies, const std::vector<MotionRow
       const Body& body = model_->body(i);
       const MotionRecord& moved = bodies.motion[at(i)];
       const MotionRow& row = accelerations[at(i)];
+      // The work of a constant acceleration is its force times the displacement of the centre.
       begin_[at(i)] += body.mass * vector_of(row.data()).dot(vector_of(moved.dp));
+      // That of an angular acceleration is its torque times the rotation vector, in the principal frame.
       const Vec3 alpha = vector_of(row.data() + 4);
       if (alpha.isZero(0)) continue;
       const Mat3 R_BW = rotation_matrix(bodies.q[at(i)]).transpose();
@@ -131,6 +137,8 @@ bool EnergyBound::find_gains(const StepManifolds& manifolds, const ManifoldMemor
     for (int i = begin; i < end; ++i)
       gain_[at(i)] = bodies.is_dynamic(i) ? kinetic_energy(*model_, i, bodies) - begin_[at(i)] : 0;
   });
+  // The gains of bodies and springs, without what others lose, bound those of all islands; most steps end
+  // here.
   double gained = 0, scale = 0;
   for (int i = 0; i < bodies.count(); ++i) {
     gained += std::max(0.0, gain_[at(i)]);
@@ -160,6 +168,7 @@ void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemor
   gains_.clear();
   gain_at_.assign(bodies.x.size(), -1);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    // Each manifold adds the growth of its spring to its island.
     int& number = gain_at_[at(island_of(manifolds, i, bodies))];
     if (number < 0) {
       number = static_cast<int>(gains_.size());
@@ -170,6 +179,8 @@ void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemor
     island.gain += grown;
     island.stored += std::max(0.0, grown);
     const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+    // An impulse against something fixed changes the momentum of the island; what moves by itself may do any
+    // work on it.
     if (bodies.is_dynamic(a) && bodies.is_dynamic(b)) continue;
     const ManifoldMemories::View view = memory.view(i);
     for (int k = 0; k < view.point_count; ++k)
@@ -189,10 +200,12 @@ void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemor
     const int number = gain_at_[at(islands_.island_of(i))];
     if (number < 0) {
       const bool is_alone = is_jointed_[at(i)] == 0 && is_unknown_[at(i)] == 0;
+      // Nothing but its own rotation can have given energy to a body that is alone.
       if (is_alone) gains_.push_back({gain_[at(i)], std::abs(begin_[at(i)]), 0, true, false, {i}});
       continue;
     }
     IslandGain& island = gains_[at(number)];
+    // Each body adds its gain, and the energies that tell what of it is rounding.
     island.bodies.push_back(i);
     island.gain += gain_[at(i)];
     island.scale += std::abs(begin_[at(i)]) + lift_[at(i)];
@@ -208,6 +221,7 @@ void EnergyBound::empty_springs(const StepManifolds& manifolds, ManifoldMemories
     const IslandGain& island = gains_[at(gain_at_[at(island_of(manifolds, i, bodies))])];
     const double grown = grown_energy(manifolds, memory, i);
     if (!is_taken(island) || !(grown > 0)) continue;
+    // All springs of the island give up the same part of what they have come to hold.
     const double part = std::max(0.0, 1 - island.gain / island.stored);
     memory.set_energy(i, static_cast<float>(static_cast<double>(manifolds.energy(i)) + part * grown));
   }
@@ -236,6 +250,7 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
   lost_part_.assign(bodies.x.size(), 0);
   for (IslandGain& island : gains_) {
     if (!is_taken(island)) continue;
+    // The coefficients of the parabola above; D becomes velocities.
     double square = 0, slope = 0;
     for (const int i : island.bodies) {
       Wrench& given = given_[at(i)];
@@ -248,6 +263,8 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
       given = {given.f_W / body.mass, w};
     }
     if (!(slope > 0)) continue;
+    // Its smaller root in the form that does not cancel, or its lowest point where it does not come down so
+    // far.
     const double rest = slope * slope - 4 * square * island.gain;
     const double part =
         std::min(1.0, rest > 0 ? 2 * island.gain / (slope + std::sqrt(rest)) : 0.5 * slope / square);
@@ -280,6 +297,7 @@ EnergyBound::RigidMotion EnergyBound::common_motion(const IslandGain& island,
   common.center /= mass;
   common.V /= mass;
 
+  // The inertia by the theorem of parallel axes, and the angular momentum, about the common centre.
   Mat3 inertia = Mat3::Zero();
   Vec3 L = Vec3::Zero();
   for (const int i : island.bodies) {

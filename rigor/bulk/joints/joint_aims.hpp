@@ -40,8 +40,8 @@ struct JointRowWriter {
 
 /// What is left of a screw's displacement; whole turns are those nearest to it.
 RIGOR_FLOAT_LANES FloatLanes screw_residual(const JointLanes& joint, const JointPose& pose) {
-  const FloatLanes pitch = float_lanes(2 * std::numbers::pi_v<float>) * joint.lead;
-  const FloatLanes off = dot(pose.d, pose.z) - joint.lead * lane_twist(pose.JK);
+  const FloatLanes lead = joint.parameter, pitch = float_lanes(2 * std::numbers::pi_v<float>) * lead;
+  const FloatLanes off = dot(pose.d, pose.z) - lead * lane_twist(pose.JK);
   float value[kLaneCount], turn[kLaneCount];
   store_floats(off, value);
   store_floats(pitch, turn);
@@ -119,11 +119,12 @@ RIGOR_FLOAT_LANES void add_held_rows(const JointPose& pose, JointRowWriter& rows
   }
   // The relation.
   if constexpr (traits.relation == JointRelation::screw) {
-    const FloatVec3 lead = joint.lead * pose.z;
+    const FloatVec3 lead = joint.parameter * pose.z;
     rows.add(pose.z, cross(pose.arm_A + pose.d, pose.z) - lead, cross(pose.arm_B, pose.z) - lead);
-  }
-  if constexpr (traits.relation == JointRelation::distance && !has_laws) {
-    rows.add_displacement(pose, direction_of_distance(pose));
+  } else if constexpr (traits.relation == JointRelation::distance) {
+    if constexpr (!has_laws) rows.add_displacement(pose, direction_of_distance(pose));
+  } else {
+    static_assert(traits.relation == JointRelation::none, "a relation without rows in lanes");
   }
 }
 

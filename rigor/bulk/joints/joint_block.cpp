@@ -53,7 +53,8 @@ void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes&
   set_lane(start.J, lane, to.J);
   set_lane(start.K, lane, to.K);
   to.length[lane] = static_cast<float>(joint.length);
-  to.lead[lane] = static_cast<float>(joint.pitch / (2 * std::numbers::pi));
+  const bool is_per_turn = joint_traits(joint.type).parameter.is_per_turn;
+  to.parameter[lane] = static_cast<float>(joint.parameter / (is_per_turn ? 2 * std::numbers::pi : 1));
 }
 
 /// Mass and moments of a body that joints move, if it is dynamic; else it does not give way, and its

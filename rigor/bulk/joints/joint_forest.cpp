@@ -30,6 +30,7 @@ std::vector<bool> coordinate_users(const Model& model) {
   for (const Joint& joint : model.joints()) {
     users.push_back(!keeps_distance(joint) && std::any_of(joint.axes.begin(), joint.axes.end(), acts));
   }
+  // A gear needs the first coordinates of its wheels, even if no law acts along them.
   for (const Joint& joint : model.joints()) {
     if (joint.type != JointType::gear) continue;
     for (const int wheel : {joint.first_joint, joint.second_joint}) {
@@ -45,6 +46,7 @@ class BodySets {
   explicit BodySets(int count) : above_(at(count)) { std::iota(above_.begin(), above_.end(), 0); }
   int top(int body) {
     int& above = above_[at(body)];
+    // Paths are halved on the way, so that later ways are short.
     while (above != above_[at(above)]) above = above_[at(above)];
     return above;
   }
@@ -117,6 +119,7 @@ Tree grow(const Model& model, const Branches& branches, int root) {
       tree.parents.push_back(static_cast<int>(i));
     }
   }
+  // The reversal turns the places of parents round as well.
   std::reverse(tree.bodies.begin(), tree.bodies.end());
   std::reverse(tree.joints.begin(), tree.joints.end());
   std::reverse(tree.parents.begin(), tree.parents.end());
@@ -131,6 +134,7 @@ Tree grow(const Model& model, const Branches& branches, int root) {
 std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
   BodySets sets(model.body_count());
   std::vector<int> roots(at(model.body_count()), -1);
+  // The bodies of each tree are one set.
   for (std::size_t b = 0; b < branches.joints.size(); ++b) {
     for (const int j : branches.joints[b]) sets.join(model.joint(j).body_A, model.joint(j).body_B);
   }
@@ -139,6 +143,7 @@ std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
     const bool is_held = branches.holds[at(b)] >= 0;
     if (is_held || (root < 0 && !branches.joints[at(b)].empty())) root = b;
   }
+  // Trees in ascending order of their roots, so that the order of work depends on the model only.
   std::vector<Tree> trees;
   for (int b = 0; b < model.body_count(); ++b) {
     const int root = roots[at(sets.top(b))];
@@ -184,6 +189,7 @@ JointSystems begin_trees(const Model& model, const std::vector<bool>& has_coordi
       link.parent_is_free = tree.parents[i] >= 0;
       link.parent = tree.parents[i];
       if (!link.parent_is_free) {
+        // A parent that joints do not move has a slot of its own behind the others.
         link.parent = static_cast<int>(trees.bodies.size());
         trees.bodies.push_back(none);
       }

@@ -17,6 +17,7 @@ constexpr double revolution = 2 * std::numbers::pi;
 /// multiples of 2π/q.
 double period_of(double ratio, bool first_rotates, bool second_rotates) {
   if (first_rotates && second_rotates) {
+    // The least number of teeth q for which the ratio times q is a whole number to rounding.
     for (int q = 1; q <= 1000; ++q) {
       const double p = std::round(ratio * q);
       if (std::abs(ratio * q - p) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(p)) {
@@ -25,6 +26,7 @@ double period_of(double ratio, bool first_rotates, bool second_rotates) {
     }
     return 0;
   }
+  // A rack: whole revolutions of its wheel move the rod by multiples of this.
   if (first_rotates) return revolution * std::abs(ratio);
   return second_rotates ? revolution : std::numeric_limits<double>::infinity();
 }
@@ -44,6 +46,7 @@ double wheel_rate(const JointBlock& block, int index, int lane) {
   const JointLanes& joint = block.joints[at(index)];
   const JointSlot& child = block.slots[at(wheel.child)];
   const JointSlot& parent = block.slots[at(wheel.parent)];
+  // The sides of the joint in the order of its row, whichever of them is the child.
   const JointSlot &A = wheel.child_is_B ? parent : child, &B = wheel.child_is_B ? child : parent;
   const int r = wheel_row(wheel);
   return dot_lane(joint.n[r], B.v, lane) - dot_lane(joint.n[r], A.v, lane) +
@@ -65,6 +68,7 @@ double gear_rate(const JointBlock& block, std::size_t g, std::size_t lane) {
 double gear_offset(const JointBlock& block, std::size_t g, std::size_t lane) {
   const GearLink& link = block.systems.gears[g];
   const GearLanes& gear = block.gears[g];
+  // Without a period whole revolutions make any difference, so that positions tell nothing.
   if (gear.period[lane] == 0) return 0;
   const int l = static_cast<int>(lane);
   const double off =
@@ -93,9 +97,9 @@ std::vector<GearLanes> make_gears(const Model& model, const JointSystems& system
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       if (link.joints[lane] < 0) continue;
       const Joint& joint = model.joint(link.joints[lane]);
-      gear.ratio[lane] = joint.ratio;
+      gear.ratio[lane] = joint.parameter;
       gear.period[lane] =
-          period_of(joint.ratio, is_rotation(joint.first_joint), is_rotation(joint.second_joint));
+          period_of(joint.parameter, is_rotation(joint.first_joint), is_rotation(joint.second_joint));
     }
     gears.push_back(gear);
   }
@@ -104,6 +108,7 @@ std::vector<GearLanes> make_gears(const Model& model, const JointSystems& system
 
 void set_gear_misses(float h, JointBlock& block) {
   set_residuals(block, [&](std::size_t g, std::size_t lane) {
+    // The rate that would be left, and what is off where the bodies would be, taken back within one substep.
     return gear_rate(block, g, lane) + gear_offset(block, g, lane) / h;
   });
 }

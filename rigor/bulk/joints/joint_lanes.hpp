@@ -44,7 +44,7 @@ struct alignas(32) JointLanes {
   FloatVec3 offset;        ///< From F to K [m].
   FloatQuat J, K;          ///< Orientations of the joint's frames.
   FloatLanes length;       ///< Of a distance joint [m].
-  FloatLanes lead;         ///< Of a screw [m/rad].
+  FloatLanes parameter;    ///< Of the relation; per radian what is per turn.
 
   FloatVec3 n[kMostJointRows], a_A[kMostJointRows], a_B[kMostJointRows];
   FloatLanes residual[kMostJointRows];  ///< What the next solve takes away of the rates.

@@ -24,6 +24,7 @@ JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordina
     systems_.bodies.push_back(in_first_lane(body));
     return static_cast<int>(systems_.bodies.size()) - 1;
   };
+  // Bodies that joints move come first, each with one slot, in the order in which joints name them.
   std::map<int, int> moved;  // Slots of the bodies that joints move.
   for (const int j : joints) {
     for (const int body : {model.joint(j).body_A, model.joint(j).body_B}) {
@@ -55,6 +56,7 @@ JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordina
     link_of[j] = static_cast<int>(systems_.links.size());
     systems_.links.push_back(link);
   }
+  // Gears act between the links of their wheels.
   for (const int g : gears_) {
     const Joint& gear = model.joint(g);
     systems_.gears.push_back({in_first_lane(g), link_of.at(gear.first_joint), link_of.at(gear.second_joint)});

@@ -44,6 +44,7 @@ RIGOR_FLOAT_LANES FloatLanes float_min(const FloatLanes& a, const FloatLanes& b)
 /// square root of the library sets errno, which the compiler does not put into lanes.)
 RIGOR_FLOAT_LANES FloatLanes float_sqrt(const FloatLanes& x) {
 #if defined(__SSE__)
+  // The two halves of the lanes, since registers of eight floats need AVX.
   float root[kLaneCount];
   store_floats(x, root);
   _mm_storeu_ps(root, _mm_sqrt_ps(_mm_loadu_ps(root)));
@@ -92,10 +93,12 @@ struct FloatSquare {
 RIGOR_FLOAT_LANES FloatSquare transpose(const FloatSquare& m) {
   const FloatLanes* r = m.row;
   FloatSquare a, b, c;
+  // Rows 2k and 2k + 1 are interleaved float by float, within each half of four lanes.
   for (int i = 0; i < kLaneCount; i += 2) {
     a.row[i] = __builtin_shufflevector(r[i], r[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
     a.row[i + 1] = __builtin_shufflevector(r[i], r[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
   }
+  // Pairs of rows are interleaved two floats at a time: each half now holds four rows' floats of one column.
   for (int i = 0; i < kLaneCount; i += 4) {
     for (int k = 0; k < 2; ++k) {
       const FloatLanes& near = a.row[i + k];
@@ -104,6 +107,8 @@ RIGOR_FLOAT_LANES FloatSquare transpose(const FloatSquare& m) {
       b.row[i + 2 * k + 1] = __builtin_shufflevector(near, far, 2, 3, 10, 11, 6, 7, 14, 15);
     }
   }
+  // The lower halves of the upper and the lower four rows make the first four columns, the upper halves the
+  // rest.
   for (int i = 0; i < kLaneCount / 2; ++i) {
     c.row[i] = __builtin_shufflevector(b.row[i], b.row[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
     c.row[i + 4] = __builtin_shufflevector(b.row[i], b.row[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);

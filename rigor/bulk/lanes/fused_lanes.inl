@@ -70,6 +70,8 @@ struct TwoSquares {
   FloatLanes a, b, c, d;
 };
 RIGOR_FLOAT_LANES TwoSquares transpose(const TwoSquares& m) {
+  // Rows are interleaved in pairs within each half, then the pairs two floats at a time: each result is a
+  // column of both matrices.
   const FloatLanes ab_low = __builtin_shufflevector(m.a, m.b, 0, 8, 1, 9, 4, 12, 5, 13);
   const FloatLanes ab_high = __builtin_shufflevector(m.a, m.b, 2, 10, 3, 11, 6, 14, 7, 15);
   const FloatLanes cd_low = __builtin_shufflevector(m.c, m.d, 0, 8, 1, 9, 4, 12, 5, 13);

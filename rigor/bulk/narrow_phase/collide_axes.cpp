@@ -230,7 +230,7 @@ std::optional<SeparatingAxis> settle_by_steps(PlacedPolytopes& pair, const BallB
     const Neighbourhood around = neighbourhood_of(pair, start.n);
     SeparatingAxis axis = around.face;
     if (code_of(axis) != tried)
-      if (const auto settled = settle(pair, bound, axis)) return settled;
+      if (auto settled = settle(pair, bound, axis)) return settled;
     // The best pair of the edges around them, if it is better than that face.
     try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
                    axis.separation + pair.rounding, axis);
@@ -241,7 +241,7 @@ std::optional<SeparatingAxis> settle_by_steps(PlacedPolytopes& pair, const BallB
     start.least = std::max(start.least, sure_separation(pair, axis));
     if (code_of(axis) == tried) break;
     if (axis.kind == SeparatingAxis::Kind::edges)
-      if (const auto settled = settle(pair, bound, axis)) return settled;
+      if (auto settled = settle(pair, bound, axis)) return settled;
     tried = code_of(axis);
   }
   return std::nullopt;
@@ -369,7 +369,7 @@ bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n) 
 SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess) {
   const BallBound bound = ball_bound(pair);
   const float far = limit + parting_slack(pair.rounding);
-  const SeparatingAxis axis = axis_of(pair, guess.axis);
+  SeparatingAxis axis = axis_of(pair, guess.axis);
   // The separation along a face's normal is real; two edges may no longer be nearest.
   if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
   // The axis of the step before is tried first: where it proves itself it is the answer.

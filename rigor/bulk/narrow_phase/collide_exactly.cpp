@@ -40,6 +40,7 @@ void add_contact(const ContactPoint& contact, NormalGroup& group) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two shapes, each with its pose.
 void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float margin,
                          int pair, ManifoldList& manifolds) {
   std::vector<NormalGroup> groups;

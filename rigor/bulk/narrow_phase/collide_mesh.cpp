@@ -59,8 +59,11 @@ void MeshMeeting::list_facets(const MeshView& view) {
     const bool is_behind = height + n.dot(pair_.b.center) < 0;
     const bool is_turned = is_behind && !view.mesh->is_closed;
     may_be_inside_ |= is_behind && view.mesh->is_closed;
+    // Sheets have two sides, so that a triangle of an open mesh faces the core; one of a closed mesh turns
+    // its back to it.
     Facet facet{t, is_behind && !is_turned, is_turned ? Vec3f(-n) : n, {}, 0, 0, kFar};
     for (std::size_t k = 0; k < 3; ++k) facet.corners[k] = point(view, triangle.vertices[k]);
+    // The lowest vertex of the core over the plane tells by how much the plane separates.
     const Support support = find_support(v, -facet.n, best_lane_target());
     facet.lowest = support.index;
     facet.separation = (is_turned ? -height : height) - support.height;
@@ -104,6 +107,7 @@ float MeshMeeting::bound_of(const MeshView& view, const Facet& facet) const {
     const auto is_of_other = [&](int v) { return v == vertices[0] || v == vertices[1] || v == vertices[2]; };
     if (other.separation > 0 || patch_meets(view, facet, is_of_other)) bound = other.separation;
   }
+  // The same of edges, which count with the core's own radius.
   for (std::size_t k = 0; k < ridge_count_; ++k) {
     const Ridge& ridge = ridges_[k];
     const float separation = ridge.gap + pair_.b.radius;
@@ -126,6 +130,7 @@ bool MeshMeeting::is_normal(const MeshView& view, const Ridge& ridge, int vertex
     }
     return true;
   }
+  // At a corner all triangles about it have to fall away.
   const Vec3f p = point(view, vertex);
   for (const int t : view.mesh->topology->vertex_triangles[at(vertex)]) {
     for (const int v : view.mesh->triangles[at(t)].vertices)
@@ -189,6 +194,7 @@ void MeshMeeting::try_ridge(const MeshView& view, std::size_t first, int side, i
   ridge.first = static_cast<int>(first);
   ridge.second = second;
   ridge.from = from;
+  // Contacts at the ends of an edge are named by the mesh's vertices, which other edges share.
   const auto& vertices = view.mesh->triangles[at(facet.triangle)].vertices;
   ridge.ends[0] = vertices[at(side)];
   ridge.ends[1] = vertices[at((side + 1) % 3)];
@@ -209,6 +215,8 @@ void MeshMeeting::find(const MeshView& view, const BulkShape& core, const Placed
   for (Facet& facet : facets_)
     if (!facet.is_back && facet.separation <= limit_) add_face(view, facet);
   add_explained_ridges();
+  // Manifolds are matched by their part of the mesh, so that their order must not depend on the order of
+  // facets.
   std::sort(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(group_count_),
             [](const MeshContacts& a, const MeshContacts& b) { return a.part < b.part; });
 }
@@ -227,6 +235,7 @@ void MeshMeeting::add(const Vec3f& n, int part, const std::vector<ManifoldCandid
   constexpr float square_of_angle = 1e-6f;
   if (candidates.empty()) return;
   std::size_t k = 0;
+  // A group whose normal is the same to a milliradian takes the contacts up.
   while (k < group_count_ && (groups_[k].n_M - n).squaredNorm() >= square_of_angle) ++k;
   if (k == group_count_) {
     if (++group_count_ > groups_.size()) groups_.emplace_back();

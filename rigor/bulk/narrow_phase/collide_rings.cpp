@@ -176,6 +176,7 @@ ShownSide RingCore::shown_side(const Vec3f& m, bool with_cap) const {
   const float across = beside.norm();
   const Vec3f u = across > 1e-6f ? Vec3f(beside / across) : x;
   const auto on_ring = [&](int i) { return Vec3f(center + numbers.z[i] * axis + numbers.r[i] * u); };
+  // The circle that reaches farther has the lowest point.
   const int i = numbers.z[1] * along + numbers.r[1] * across > numbers.z[0] * along + numbers.r[0] * across;
   side.lowest = on_ring(i);
   side.lowest_name = kLowestName + i;
@@ -205,6 +206,7 @@ ShownSide RingCore::shown_side(const Vec3f& m, bool with_cap) const {
 }
 
 Vec3f RingCore::ball_near(const Vec3f& p) const {
+  // The centres of the balls inside fill a cylinder; the nearest of them to p.
   const Vec3f middle = center + ball * axis, to = p - middle;
   const float along = to.dot(axis);
   const Vec3f across = to - along * axis;
@@ -290,6 +292,7 @@ struct FaceOverRing {
 };
 FaceOverRing find_best_face(const RingCore& ring, const PlacedPolytope& polytope) {
   FaceOverRing best;
+  // The ring's farthest point against the face decides, in closed form.
   for (int f = 0; f < polytope.hull->face_count; ++f) {
     const Vec3f m = polytope.normal(f);
     const float s = -ring.reach(-m) - m.dot(polytope.place.t) - polytope.offsets()[f];

@@ -95,6 +95,7 @@ void cross_circle(const SidePair& pair, bool line_is_of_A, const std::array<Vec3
   const float uu = u.squaredNorm(), uw = u.dot(w),
               square = uw * uw - uu * (w.squaredNorm() - disc.r * disc.r);
   if (!(square > 0) || !(uu > 0)) return;
+  // Both crossings count unless they are at an end of the border, which is a corner already.
   const float root = std::sqrt(square), slack = pair.scale.slack / std::sqrt(uu);
   for (const int k : {0, 1}) {
     const float s = (-uw + (k == 0 ? -root : root)) / uu;
@@ -114,6 +115,7 @@ void cross_circles(const SidePair& pair, std::vector<ManifoldCandidate>& candida
   const float x = 0.5f * (distance + (a.r - b.r) * (a.r + b.r) / distance), square = a.r * a.r - x * x;
   if (!(square > 0)) return;
   const Vec3f along = d / distance, across = std::sqrt(square) * pair.n.cross(along);
+  // The ends of the chord, first over the side of A and then on it.
   const float height = height_over(pair, a, a.center + x * along);
   for (const int k : {0, 1}) {
     const Vec3f over = a.center + x * along + (k == 0 ? across : Vec3f(-across)) + height * pair.n;
@@ -126,12 +128,14 @@ void cross_circles(const SidePair& pair, std::vector<ManifoldCandidate>& candida
 void cross_polygon(const SidePair& pair, bool line_is_of_A, const ShownSide& segment,
                    std::vector<ManifoldCandidate>& candidates) {
   const ShownSide& polygon = line_is_of_A ? pair.b : pair.a;
+  // The inner side of each border is to the left of it about `up`.
   const Vec3f up = polygon.m.dot(pair.n) > 0 ? pair.n : Vec3f(-pair.n);
   const Vec3f u = segment.ends[1] - segment.ends[0];
   for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
     const Vec3f q = polygon.corner(k), side = polygon.corner((k + 1) % polygon.corners.size()) - q;
     const Vec3f inward = up.cross(side).normalized();
     const float d0 = inward.dot(segment.ends[0] - q), d1 = inward.dot(segment.ends[1] - q);
+    // The segment crosses the line of the border only if its ends are on two sides of it.
     if (std::min(d0, d1) >= -pair.scale.slack || std::max(d0, d1) <= pair.scale.slack) continue;
     // It counts if it meets the border between its ends.
     const Vec3f p = segment.ends[0] + d0 / (d0 - d1) * u;
@@ -145,6 +149,7 @@ void add_crossings(const SidePair& pair, std::vector<ManifoldCandidate>& candida
   const auto is_circle = [&](const ShownSide& side) {
     return side.kind == SideKind::disc && std::abs(side.m.dot(pair.n)) > kCircleSlope;
   };
+  // Tilted discs are seen as ellipses, and only their corners count.
   if (is_circle(pair.a) && is_circle(pair.b)) cross_circles(pair, candidates);
   for (const bool is_of_A : {true, false}) {
     const ShownSide &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
@@ -166,6 +171,7 @@ bool add_side_by_side(const SidePair& pair, std::vector<ManifoldCandidate>& cand
   const Vec3f u = pair.flat(a.ends[1] - a.ends[0]), v = pair.flat(b.ends[1] - b.ends[0]);
   const float uu = u.squaredNorm(), vv = v.squaredNorm();
   if (!(uu > 0 && vv > 0) || u.cross(v).squaredNorm() > square_sine * uu * vv) return false;
+  // The ends of B along A cut the stretch out of [0, 1].
   const float s0 = u.dot(b.ends[0] - a.ends[0]) / uu, s1 = u.dot(b.ends[1] - a.ends[0]) / uu;
   const float begin = std::max(0.0f, std::min(s0, s1)), end = std::min(1.0f, std::max(s0, s1));
   if (!(begin < end)) return false;
@@ -192,9 +198,11 @@ std::optional<float> height_over_side(const ShownSide& side, float radius, const
   const float r = (side.ends[0] - side.center).norm(),
               slope = ((side.ends[1] - side.center - length * side.m).norm() - r) / length,
               R = r + slope * z + radius, nn = n.squaredNorm();
+  // The quadratic equation a t² - 2 b t + ... = 0 of the nearer one of the two heights.
   const float a = nn - slope * slope * c * c, b = across.dot(n) - slope * c * R,
               square = b * b - a * (across.squaredNorm() - R * R);
   if (!(a > 0) || !(square > least_square * nn * R * R)) return std::nullopt;
+  // It must be on the frustum between its circles.
   const float t = (b - std::sqrt(square)) / a, below = z - t * c;
   if (!(below >= 0 && below <= length)) return std::nullopt;
   return t;
@@ -228,6 +236,7 @@ float add_nearest(const SidePair& pair, std::vector<ManifoldCandidate>& candidat
   const auto way_of = [&](const ShownSide& side) {
     return side.is_straight ? Vec3f(side.ends[1] - side.ends[0]) : Vec3f(Vec3f::Zero());
   };
+  // The nearest points of both lines as seen along n, which for points are the points themselves.
   const Vec3f p = begin_of(pair.a), q = begin_of(pair.b), u = way_of(pair.a), v = way_of(pair.b);
   const SegmentPoints nearest = nearest_on_segments(pair.flat(p), pair.flat(u), pair.flat(q), pair.flat(v));
   const Vec3f p_A = p + nearest.s * u, p_B = q + nearest.t * v;

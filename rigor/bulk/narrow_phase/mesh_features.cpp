@@ -129,6 +129,7 @@ void MeshMeeting::find_region(const MeshView& view, const FloatMesh::Triangle& t
   for (const auto& [border, side] : meeting_.crossings) {
     const int k = own.side(border);
     if (triangle.side[at(k)] == MeshEdgeKind::flat) continue;
+    // Where the core's side crosses the line of the border, by its ends' distances from it.
     const Vec3f c = own.corner(border), inward = n.cross(own.corner((border + 1) % 3) - c);
     const Vec3f p0 = over.outline.corner(side), p1 = over.outline.corner(over.outline.next(side));
     const float d0 = inward.dot(p0 - c), d1 = inward.dot(p1 - c);
@@ -174,6 +175,7 @@ bool MeshMeeting::find_on_segment(const MeshView& view, const Vec3f& to, int tri
                       end >= 1 ? ridge.ends[1] : -1};
   ridge.part = static_cast<int>(view.mesh->triangles.size()) + part.number;
   const bool is_round = pair_.b.hull->face_count == 0;
+  // Round cores have nearest points in closed form, others need the axes of all pairs of edges.
   const std::optional<int> vertex = is_round ? touch_round(part, ridge) : touch_polytope(view, part, ridge);
   return vertex && is_normal(view, ridge, *vertex);
 }
@@ -201,6 +203,8 @@ std::optional<int> MeshMeeting::touch_round(const EdgePart& edge, Ridge& ridge) 
 /// Of a box or a hull; returns the end of the edge at which it is deepest, as above.
 std::optional<int> MeshMeeting::touch_polytope(const MeshView& view, const EdgePart& edge, Ridge& ridge) {
   const FloatHull& hull = *pair_.b.hull;
+  // The edge is a polytope of one edge here; the mean of its triangles' normals is where its axis is likely
+  // to be.
   place_segment(*segment_, edge.p, edge.u, pair_);
   SeparatingAxis axis;
   Vec3f guess = facets_[at(ridge.first)].n;
@@ -214,6 +218,7 @@ std::optional<int> MeshMeeting::touch_polytope(const MeshView& view, const EdgeP
   }
   if (!n || pair_.candidates.empty()) return std::nullopt;
   ridge.n = *n;
+  // The deepest candidate tells where the edge is touched.
   ridge.gap = std::numeric_limits<float>::infinity();
   int deepest = -1;
   for (const ManifoldCandidate& candidate : pair_.candidates) {

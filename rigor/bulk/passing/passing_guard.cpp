@@ -58,6 +58,7 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
   const Body& own = model_->body(body);
   ranges_.give(body, static_cast<int>(own.shapes.size()));
   facts_.resize(std::max(facts_.size(), ranges_.size()));
+  // The thinnest solids and surfaces of all bodies decide whether any pair of a step can be far.
   double turning = 0;
   for (std::size_t s = 0; s < own.shapes.size(); ++s) {
     const ShapeFacts& facts = facts_of(own.shapes[s], hulls);
@@ -71,6 +72,7 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
     }
   }
   if (surfaces_ > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface_);
+  // A body that is replaced may have begun or ceased to be moved from outside.
   turning_[at(body)] = turning;
   driven_ -= is_driven_[at(body)];
   is_driven_[at(body)] = own.motion == MotionType::kinematic ? 1 : 0;
@@ -84,10 +86,13 @@ const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
   const auto [known, is_new] = known_.emplace(&shape, ShapeFacts{});
   ShapeFacts& facts = known->second;
   if (!is_new) return facts;
+  // Equal facts of a shape are found once, since its thickness is the dear part.
   facts.thickness = thickness_of(shape.shape);
   facts.turning = turning_radius(shape.shape, shape.X_BS, shape.radius);
   if (is_surface(shape.shape)) return facts;
   if (!hulls) hulls.emplace();
+  // The ball inside is where the lanes hold the shape on its side of a surface; without a hull it is the
+  // shape's thickness.
   const BulkShape bulk = make_bulk_shape(shape, *hulls);
   facts.ball_inside = bulk.hull ? static_cast<double>(bulk.inner_radius()) : facts.thickness;
   const Vec3 center_S = bulk.hull ? Vec3(bulk.hull->center.cast<double>()) : Vec3(Vec3::Zero());
@@ -111,16 +116,18 @@ void PassingGuard::find_groups() {
     for (const int body : model_->bodies_of_joint(j)) {
       if (model_->body(body).motion != MotionType::dynamic) continue;
       is_jointed_[at(body)] = 1;
+      // The lower root stands for both groups, so that the numbers do not depend on the order of joints.
       if (first < 0) first = body;
       const int a = root_of(first), b = root_of(body);
       group_[at(std::max(a, b))] = std::min(a, b);
     }
   }
+  // From now on each body knows its root itself.
   for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
 }
 
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
-  if (has_jointed_) ways_.begin(bodies.x.size(), substeps_);
+  if (has_jointed_) paths_.begin(bodies.x.size(), substeps_);
   expected_.resize(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
@@ -182,8 +189,8 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
     reach_[at(i)] = reach(i, m.dp, m.dr);
-    if (ways_.has(i) && bends(i, bodies)) {
-      const std::array<double, 2> lengths = ways_.lengths(i);
+    if (paths_.has(i) && bends(i, bodies)) {
+      const std::array<double, 2> lengths = paths_.lengths(i);
       const double path = lengths[0] + turning_[at(i)] * lengths[1];
       reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(path));
     }
@@ -229,7 +236,7 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   for (int i = 0; i < bodies.count(); ++i) {
     const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
     Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
-    if (bends(i, bodies)) box = {x + ways_.box(i).lower, x + ways_.box(i).upper};
+    if (bends(i, bodies)) box = {x + paths_.box(i).lower, x + paths_.box(i).upper};
     swept_.push_back(box.grown(model_->body(i).bounding_radius));
   }
   if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
@@ -254,21 +261,21 @@ void PassingGuard::add_escaped(int body, const BulkBodies& bodies) {
 
 /// Whether the body has gone on an arc that is not near to its chord.
 bool PassingGuard::bends(int body, const BulkBodies& bodies) const {
-  return ways_.has(body) && norm_of(bodies.motion[at(body)].dr) > most_turn;
+  return paths_.has(body) && norm_of(bodies.motion[at(body)].dr) > most_turn;
 }
 
 /// Where the body is after the part t of what it may go of its way.
-WayPoint PassingGuard::point_at(int body, double t, const BulkBodies& bodies) const {
+BodyDisplacement PassingGuard::point_at(int body, double t, const BulkBodies& bodies) const {
   const MotionRecord& m = bodies.motion[at(body)];
   const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
-  if (bends(body, bodies)) return ways_.point(body, share * t);
+  if (bends(body, bodies)) return paths_.point(body, share * t);
   return {share * t * vector_of(m.dp), rotation_exp(share * t * vector_of(m.dr))};
 }
 
 /// A leg of its way.
-WayOfShape PassingGuard::way_between(int body, int shape, double from, double to,
+ShapePath PassingGuard::path_between(int body, int shape, double from, double to,
                                      const BulkBodies& bodies) const {
-  const WayPoint a = point_at(body, from, bodies), b = point_at(body, to, bodies);
+  const BodyDisplacement a = point_at(body, from, bodies), b = point_at(body, to, bodies);
   return {&model_->body(body).shapes[at(shape)],
           {(a.turn * bodies.q[at(body)]).toRotationMatrix(), bodies.x[at(body)] + a.dp},
           b.dp - a.dp,
@@ -280,6 +287,7 @@ WayOfShape PassingGuard::way_between(int body, int shape, double from, double to
 /// From leg to leg of either way.
 double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
                                         const BulkBodies& bodies) const {
+  // The bends of both ways: the ends of substeps, as parts of the way that the body may go.
   std::vector<double> times = {0, 1};
   for (const int body : {pair.body_A, pair.body_B}) {
     if (!bends(body, bodies)) continue;
@@ -287,15 +295,17 @@ double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  std::vector<WayLeg> legs;
+  // Between two of them both bodies go straight.
+  std::vector<PathSegment> legs;
   for (std::size_t k = 0; times[k] < 1; ++k) {
-    legs.push_back({way_between(pair.body_A, pair.shape_A, times[k], times[k + 1], bodies),
-                    way_between(pair.body_B, pair.shape_B, times[k], times[k + 1], bodies)});
+    legs.push_back({path_between(pair.body_A, pair.shape_A, times[k], times[k + 1], bodies),
+                    path_between(pair.body_B, pair.shape_B, times[k], times[k + 1], bodies)});
     // Relative to the first body, as far from the origin as near it.
     legs.back().A.X_WB.p -= bodies.x[at(pair.body_A)];
     legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
   }
-  const double gone = free_legs(legs, deep_share);
+  // The number of free legs becomes a part of the step again.
+  const double gone = free_segments(legs, deep_share);
   const std::size_t last = std::min(static_cast<std::size_t>(gone), legs.size() - 1);
   return times[last] + (gone - static_cast<double>(last)) * (times[last + 1] - times[last]);
 }
@@ -304,12 +314,12 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
   const auto shape_of = [&](int body, int shape) {
     const MotionRecord& m = bodies.motion[at(body)];
     const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
-    return WayOfShape{&model_->body(body).shapes[at(shape)],
-                      {bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]},
-                      share * vector_of(m.dp),
-                      share * vector_of(m.dr),
-                      turning_[at(body)],
-                      thickness(body, shape)};
+    return ShapePath{&model_->body(body).shapes[at(shape)],
+                     {bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]},
+                     share * vector_of(m.dp),
+                     share * vector_of(m.dr),
+                     turning_[at(body)],
+                     thickness(body, shape)};
   };
   // What is taken along stays as deep as it is: less deep than what may be.
   constexpr double deep_share = 0.25, deep_share_of_taken = 0.15;
@@ -317,7 +327,7 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
       is_taken_along(pair.body_A, pair.body_B, bodies) || is_taken_along(pair.body_B, pair.body_A, bodies);
   const double most = is_taken ? deep_share_of_taken : deep_share;
   if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, most, bodies);
-  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), most);
+  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), most);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
@@ -403,9 +413,10 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
     if (!bodies.is_dynamic(i) || share == 1) continue;
     MotionRecord& motion = bodies.motion[at(i)];
     // Joints hold on the ways that the substeps have taken, and not on their chords.
-    const WayPoint end =
-        ways_.has(i) ? ways_.point(i, share) : WayPoint{share * vector_of(motion.dp), Quat::Identity()};
-    const Vec3 turn = ways_.has(i) ? rotation_log(end.turn) : Vec3(share * vector_of(motion.dr));
+    const BodyDisplacement end = paths_.has(i)
+                                     ? paths_.point(i, share)
+                                     : BodyDisplacement{share * vector_of(motion.dp), Quat::Identity()};
+    const Vec3 turn = paths_.has(i) ? rotation_log(end.turn) : Vec3(share * vector_of(motion.dr));
     for (int k = 0; k < 3; ++k) {
       motion.dp[k] = static_cast<float>(end.dp[k]);
       motion.dr[k] = static_cast<float>(turn[k]);

@@ -2,8 +2,8 @@
 
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
-#include "rigor/bulk/passing/free_way.hpp"
-#include "rigor/bulk/passing/jointed_ways.hpp"
+#include "rigor/bulk/passing/free_path.hpp"
+#include "rigor/bulk/passing/jointed_paths.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/bulk/state/changed_bodies.hpp"
@@ -51,7 +51,7 @@ class PassingGuard {
   /// After the displacements of each substep, `moving` being the bodies that it has displaced: jointed ones
   /// go on arcs.
   void note(const BulkBodies& bodies, const std::vector<int>& moving) {
-    if (has_jointed_) ways_.note(bodies, moving, is_jointed_);
+    if (has_jointed_) paths_.note(bodies, moving, is_jointed_);
   }
 
   /// A body that was stopped after this share of its displacement.
@@ -94,8 +94,8 @@ class PassingGuard {
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   bool bends(int body, const BulkBodies& bodies) const;
-  WayPoint point_at(int body, double t, const BulkBodies& bodies) const;
-  WayOfShape way_between(int body, int shape, double from, double to, const BulkBodies& bodies) const;
+  BodyDisplacement point_at(int body, double t, const BulkBodies& bodies) const;
+  ShapePath path_between(int body, int shape, double from, double to, const BulkBodies& bodies) const;
   double free_share(const FarPair& pair, const BulkBodies& bodies) const;
   double free_share_of_bent(const FarPair& pair, double deep_share, const BulkBodies& bodies) const;
   bool shorten(const FarPair& pair, BulkBodies& bodies);
@@ -119,7 +119,7 @@ class PassingGuard {
   double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].
   int surfaces_ = 0;  ///< How many shapes have been surfaces.
   bool has_jointed_ = false;
-  JointedWays ways_;
+  JointedPaths paths_;
   bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].

@@ -40,6 +40,7 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
   ImpactProblem problem{{}, {}, relative_velocities(system)};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
+    // Laws see each pair in ascending order, so that it does not matter which body is called A.
     const bool is_ascending = contact.body_A < contact.body_B;
     problem.contacts.push_back({std::min(contact.body_A, contact.body_B),
                                 std::max(contact.body_A, contact.body_B),
@@ -65,6 +66,7 @@ ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_
     part.A = DelassusOperator(part.rows);
     return part;
   }
+  // A dense problem is cut out of the dense operator, block by block.
   MatX A(size, size);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     for (std::size_t k = 0; k < chosen.size(); ++k)
@@ -127,6 +129,7 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu) {
   if (problem.rows) {
+    // First in the space of motions; what that does not solve is left to the chain of dense methods.
     constexpr double enough_of_many = 1e-10;
     const MotionProblem motion{*problem.rows, cones_of(b, mu)};
     CoulombOptions any_share;

@@ -108,7 +108,9 @@ CoulombSolution solve_plastic_where_it_acts(const ImpactProblem& problem, const 
   for (int rings = 1; acting.add_approaching(w, tolerance); rings *= 2) {
     acting.add_rings(rings);
     const std::vector<std::size_t> chosen = acting.contacts();
+    // A part that has most of the contacts saves nothing.
     if (static_cast<double>(chosen.size()) > most_of_all * static_cast<double>(problem.count())) break;
+    // The answer of the part is one for all if nothing outside approaches because of it.
     CoulombSolution found = for_all(problem, chosen, u, solve_chosen(problem, chosen, u));
     w = found.w;
     ActingBodies next = acting;

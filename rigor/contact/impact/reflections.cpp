@@ -20,7 +20,7 @@ CoulombSolution solve_plastic(const ImpactProblem& problem, const VecX& u) {
   const auto is_admissible = [&](const CoulombSolution& found) {
     return found.lambda.dot(found.w + u) <= 0 && fastest_approach(found.w) <= 1e-9 * fastest_approach(u);
   };
-  const CoulombSolution exact = solve_plastic_where_it_acts(problem, u);
+  CoulombSolution exact = solve_plastic_where_it_acts(problem, u);
   if (exact.converged || is_admissible(exact)) return exact;
   CoulombSolution frictionless = solve_cones(problem, u, std::vector<double>(problem.count(), 0.0));
   if (!is_admissible(frictionless)) frictionless.lambda.setZero();
@@ -60,7 +60,7 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
     least = std::min(least, contact.restitution);
     greatest = std::max(greatest, contact.restitution);
   }
-  const VecX lambda = plastic + least * (reflected - plastic);
+  VecX lambda = plastic + least * (reflected - plastic);
   if (least == greatest) return lambda;
 
   // What larger coefficients than the smallest add, and how much energy the contacts may give back.
@@ -175,6 +175,7 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
   // and say a (λ_n - known) = 0. The motion is the same for every share of redundant contacts.
   const VecX u = problem.u + problem.A * lambda;
   std::vector<double> responses;
+  responses.reserve(pressed.size());
   for (const std::size_t i : pressed)
     responses.push_back(0.5 * problem.A.block(i, i).topLeftCorner<2, 2>().trace());
   ImpactProblem part = problem.rows ? friction_on_rows(problem, pressed, u, responses)

@@ -20,11 +20,14 @@ struct Allowed {
 
 Allowed allowed(const ImplicitSpring& spring, const Vec3& asked, double h) {
   Allowed result;
+  // The normal spring pushes and never pulls.
   const bool pushes = spring.has_normal && asked.z() > 0;
   if (pushes) {
     result.impulse.z() = asked.z();
     result.slope(2, 2) = 1;
   }
+  // Friction holds up to its limit, which grows with the normal impulse; beyond it has the direction of what
+  // is asked.
   const double limit = spring.has_normal ? spring.friction * result.impulse.z() : h * spring.limit;
   const Vec2 tangential = asked.head<2>();
   const double size = tangential.norm();

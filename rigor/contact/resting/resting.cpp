@@ -41,6 +41,7 @@ CoulombProblem laws_of(const ContactSystem& system) {
 
 std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
   std::vector<ContactMode> modes;
+  modes.reserve(states.size());
   for (const ContactState& state : states) modes.push_back(state.mode);
   return modes;
 }

@@ -115,6 +115,7 @@ bool JointSystem::take_motions(const std::vector<BodyKinetics>& kinetics) {
   for (std::size_t b = 0; b < kinetics.size(); ++b) {
     const BodyMotion now{kinetics[b].x, kinetics[b].R, kinetics[b].v, kinetics[b].w};
     // Bit for bit: a zero of the other sign is another number.
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     if (!is_new && std::memcmp(&now, &motions_[b], sizeof(BodyMotion)) == 0) continue;
     is_new = true;
     motions_[b] = now;

@@ -96,6 +96,7 @@ bool is_in_vertex_cone(const Mesh& mesh, int v, const Vec3& n_M) {
 bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M) {
   const int t = edge / 3;
   const std::size_t k = at(edge % 3);
+  // Along n no vertex of the two triangles may rise above the edge.
   const Vec3& p = mesh.mesh->vertices[at(mesh.mesh->triangles[at(t)][k])];
   for (const int side : {t, mesh.tree->triangles[at(t)].neighbour[k]}) {
     if (side < 0) continue;
@@ -126,6 +127,8 @@ bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M
 /// All vertices near the plane except those inside flat patches or on straight creases.
 std::vector<ContactPoint> plane_contacts(const Mesh& mesh, const Pose& X_OM, const HalfSpace& plane,
                                          const Pose& X_OB, double tolerance) {
+  // Along the plane's normal the highest points of a surface are vertices, so that these are all that can
+  // touch.
   const Vec3 n = X_OB.R * plane.normal;
   const double offset = plane.offset + n.dot(X_OB.p);
   SurfaceCurvature flat;
@@ -207,6 +210,8 @@ class FacetContacts {
     for (const MeshFacet& facet : blocked_) {
       const ContactShape face(facet, X_OM_);
       const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
+      // How deep the patch is entered: by its other facets, or by its hull if that is left along the face's
+      // normal.
       const FlatFace front = face.polygon(0);
       const bool leaves_hull_along = !is_whole(facet) && is_along(of_hull(facet), facet);
       double depth = tolerance_;

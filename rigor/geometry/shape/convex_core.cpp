@@ -72,6 +72,7 @@ Vec3 ring_point(const Ring& ring, const Vec3& d) {
 }
 
 Vec3 ellipsoid_point(const Vec3& radii, const Vec3& d) {
+  // The ellipsoid is the unit ball stretched by D = diag(radii): its farthest point along d is D² d / |D d|.
   const Vec3 stretched = radii.cwiseProduct(d);
   return radii.cwiseProduct(stretched) / stretched.norm();
 }
@@ -180,6 +181,7 @@ namespace {
 
 Vec3 nearest_hull_face_normal(const ConvexHull& hull, const Vec3& d) {
   const SupportTable& table = hull.support_table;
+  // The face whose normal is nearest to d is one of those about the farthest vertex.
   const std::size_t vertex = at(farthest_vertex(table, d, 0));
   Vec3 best = Vec3::Zero();
   double best_cosine = 0;

@@ -17,6 +17,7 @@ namespace {
 class PointGrid {
  public:
   explicit PointGrid(const std::vector<Vec2>& points, const std::vector<int>& chosen) {
+    // About as many cells as points, so that a small box holds few.
     side_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(chosen.size()))));
     lower_ = upper_ = points[0];
     for (const Vec2& p : points) lower_ = lower_.cwiseMin(p), upper_ = upper_.cwiseMax(p);
@@ -68,6 +69,7 @@ class EarClipper {
   }
 
   std::vector<std::array<int, 3>> triangles() {
+    // Only corners that are not convex can lie in an ear, so that only these are asked for.
     const PointGrid grid(points_, reflex_);
     for (int i = 0; i < count_; ++i) enqueue(i);
     int left = count_;
@@ -78,6 +80,7 @@ class EarClipper {
       if (ear < 0) {
         ear = forced(anywhere);  // the polygon crosses itself: no ear is left
       } else if (const int blocker = blocker_of(ear, grid); blocker >= 0) {
+        // What is in the way stays there until it is clipped or becomes convex: the ear waits for that.
         nodes_[at(blocker)].waiting.push_back(ear);
         continue;
       }
@@ -139,6 +142,7 @@ class EarClipper {
   }
 
   int forced(int start) const {
+    // A convex corner if there is one left, so that triangles have the sense of the loop.
     int i = start;
     do {
       if (nodes_[at(i)].corner_sign > 0) return i;
@@ -151,6 +155,7 @@ class EarClipper {
     Node& node = nodes_[at(i)];
     result_.push_back({node.previous, i, node.next});
     node.is_clipped = true;
+    // The neighbours close the loop, and their angles have changed.
     nodes_[at(node.previous)].next = node.next;
     nodes_[at(node.next)].previous = node.previous;
     for (const int neighbour : {node.previous, node.next}) {
@@ -188,6 +193,7 @@ Vec3 triangle_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// The loop seen along the axis nearest to its normal, so that it is counter-clockwise.
 std::vector<Vec2> projected(const std::vector<Vec3>& vertices, const std::vector<int>& loop) {
   const Vec3 normal = doubled_area_vector(vertices, loop);
+  // Along that axis the projection has the largest area, and signs of areas are those of the polygon.
   int axis;
   normal.cwiseAbs().maxCoeff(&axis);
   int x = (axis + 1) % 3, y = (axis + 2) % 3;

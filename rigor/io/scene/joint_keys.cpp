@@ -91,21 +91,15 @@ Keys axis_keys(const JointTraits& traits) {
   return {};
 }
 
-/// Parameters of the relation of a joint besides places and directions.
+/// What the relation of a joint needs besides places and directions.
 Keys relation_keys(const JointTraits& traits) {
-  switch (traits.relation) {
-    case JointRelation::none:
-    case JointRelation::distance:
-      break;
-    case JointRelation::screw:
-      return {{"pitch", ValueType::number, "m", "required", limits::position,
-               "sliding along the axis per revolution; not 0, negative: left-handed"}};
-    case JointRelation::gear:
-      return {{"joints", ValueType::names, "", "required", {}, "names of the first and second joint"},
-              {"ratio", ValueType::number, "", "required", limits::ratio,
-               "change of the second joint's first coordinate per change of the first's; not 0"}};
-  }
-  return {};
+  Keys keys;
+  if (traits.relation == JointRelation::gear)
+    keys.push_back({"joints", ValueType::names, "", "required", {}, "names of the first and second joint"});
+  const JointParameter& own = traits.parameter;
+  if (own.key != nullptr)
+    keys.push_back({own.key, ValueType::number, own.unit, "required", own.range, own.meaning});
+  return keys;
 }
 
 /// Keys of what acts along the coordinates: keys of the joint itself if it has one coordinate, otherwise a

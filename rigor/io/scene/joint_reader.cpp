@@ -134,7 +134,6 @@ void read_places(const ObjectReader& joint, JointDescription& description) {
   if (traits.axes == JointAxes::none) return;
   description.axis = joint.vector("axis").value_or(Vec3::UnitZ());
   if (has_second_axis(traits.type)) description.second_axis = joint.vector("second_axis");
-  if (traits.relation == JointRelation::screw) description.pitch = joint.number("pitch").value_or(0);
 }
 
 void read_body_joint(const ObjectReader& joint, JointDescription& description) {
@@ -224,9 +223,10 @@ void JointReader::read(const YamlNode& node, std::size_t index) {
   JointDescription description;
   description.type = type_of(table->object);
   description.name = joint.text("name").value_or("");
+  if (const char* const key = joint_traits(description.type).parameter.key)
+    description.parameter = joint.number(key).value_or(0);
   if (description.type == JointType::gear) {
     description.joints = joint.names("joints");
-    description.ratio = joint.number("ratio").value_or(0);
   } else {
     read_body_joint(joint, description);
   }

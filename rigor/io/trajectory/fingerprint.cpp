@@ -58,8 +58,10 @@ class Hash {
   void add(const Joint& joint) {
     add(std::string_view(joint.name)), add(static_cast<int>(joint.type)), add(joint.body_A),
         add(joint.body_B);
-    add(joint.X_AF), add(joint.X_BK), add(joint.pitch), add(joint.length);
-    add(joint.first_joint), add(joint.second_joint), add(joint.ratio);
+    // A gear's number has stood behind the joints that it ties since the first checkpoints.
+    const bool is_gear = joint.type == JointType::gear;
+    add(joint.X_AF), add(joint.X_BK), add(is_gear ? 0.0 : joint.parameter), add(joint.length);
+    add(joint.first_joint), add(joint.second_joint), add(is_gear ? joint.parameter : 0.0);
     for (const JointAxis& axis : joint.axes) add(axis);
   }
 

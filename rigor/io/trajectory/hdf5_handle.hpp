@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -63,5 +65,21 @@ class Hdf5Quiet {
   H5E_auto2_t print_ = nullptr;
   void* client_ = nullptr;
 };
+
+/// Writes a list of texts as a data set of strings of equal length, padded with NUL; false if it did not
+/// work.
+inline bool write_hdf5_texts(hid_t parent, const char* name, const std::vector<std::string>& texts) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  std::string bytes;
+  for (const std::string& text : texts) bytes.append(text).append(longest - text.size(), '\0');
+  const Hdf5Handle type = hdf5_text_type(longest);
+  const hsize_t count = texts.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle data(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                        H5Dclose);
+  return data.is_open() &&
+         (count == 0 || H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0);
+}
 
 }  // namespace rigor

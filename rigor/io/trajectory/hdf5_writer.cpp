@@ -33,20 +33,6 @@ void write_attribute(hid_t owner, const char* name, double value) {
   H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
 }
 
-/// A list of texts as a dataset of strings of equal length, padded with NUL.
-void write_texts(hid_t parent, const char* name, const std::vector<std::string>& texts) {
-  std::size_t longest = 1;
-  for (const std::string& text : texts) longest = std::max(longest, text.size());
-  std::string bytes;
-  for (const std::string& text : texts) bytes.append(text).append(longest - text.size(), '\0');
-  const Hdf5Handle type = hdf5_text_type(longest);
-  const hsize_t count = texts.size();
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle dataset(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Dclose);
-  if (count > 0) H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data());
-}
-
 void write_integers(hid_t parent, const char* name, const std::vector<int>& values) {
   const hsize_t count = values.size();
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
@@ -83,9 +69,9 @@ void write_header(hid_t file, const TrajectoryHeader& header) {
   for (const MethodNumber& number : method_numbers()) {
     write_attribute(file, fmt::format("method.{}", number.key).c_str(), header.method.*number.member);
   }
-  write_texts(file, "scene_text", {header.scene_text});
+  write_hdf5_texts(file, "scene_text", {header.scene_text});
   const Hdf5Handle bodies(H5Gcreate2(file, "bodies", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-  write_texts(bodies, "names", header.bodies);
+  write_hdf5_texts(bodies, "names", header.bodies);
 }
 
 /// Number of joints, and of the coordinates of all of them.
@@ -107,10 +93,10 @@ void write_joints(hid_t group, const std::vector<TrajectoryJoint>& joints) {
     units.insert(units.end(), joint.units.begin(), joint.units.end());
     names.push_back(joint.name);
   }
-  write_texts(group, "names", names);
+  write_hdf5_texts(group, "names", names);
   if (owners.empty()) return;
   write_integers(group, "coordinate_joint", owners);
-  write_texts(group, "coordinate_unit", units);
+  write_hdf5_texts(group, "coordinate_unit", units);
 }
 
 /// Describes a dataset that has just been created.

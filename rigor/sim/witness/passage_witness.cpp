@@ -3,7 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/witness/step_way.hpp"
+#include "rigor/sim/witness/step_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +115,7 @@ void PassageWitness::watch(const State& after, AdvanceReport& report) {
   std::map<int, BodyPath> paths;
   const auto path_of = [&](int body) -> const BodyPath& {
     BodyPath& path = paths[body];
-    if (path.empty()) path.push_back(step_way(*model_, *environment_, body, before_, after));
+    if (path.empty()) path.push_back(step_path(*model_, *environment_, body, before_, after));
     return path;
   };
   // In the order of the bodies whose markers are followed.

@@ -31,7 +31,7 @@ class PassageWitness {
   /// Steps that are watched begin at this State.
   void begin(const State& state);
   /// Enters what was found in the step that leads here from where the last one ended, along the ways of
-  /// step_way(). Only pairs that WatchedPairs cannot rule out are followed.
+  /// step_path(). Only pairs that WatchedPairs cannot rule out are followed.
   void watch(const State& after, AdvanceReport& report);
 
  private:

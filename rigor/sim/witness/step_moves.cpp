@@ -1,7 +1,7 @@
 #include "rigor/sim/witness/step_moves.hpp"
 
 #include "rigor/core/index.hpp"
-#include "rigor/sim/witness/step_way.hpp"
+#include "rigor/sim/witness/step_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ StepMove StepMoves::move(int i, const State& before, const State& after) const {
   return {d, 2 * body.turning + arc, arc};
 }
 
-/// Whether the body may have turned by other than the shortest rotation, or flown along an arc (step_way).
+/// Whether the body may have turned by other than the shortest rotation, or flown along an arc (step_path).
 bool StepMoves::may_spin(int i, const State& before, const State& after) const {
   constexpr double little = 0.5;  // [rad].
   const Bounds& body = bounds_[at(i)];

@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// How a body moves within a step, along any way that step_way() may give it: at the share s of the step the
+/// How a body moves within a step, along any way that step_path() may give it: at the share s of the step the
 /// markers and enclosures of the body are where s d takes them, up to `turn` [m].
 struct StepMove {
   Vec3 d = Vec3::Zero();  ///< Displacement of the centre of mass [m].

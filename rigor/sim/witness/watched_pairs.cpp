@@ -128,7 +128,7 @@ bool WatchedPairs::leaves_room(int i, const State& after, const StepMove& move) 
 
 /// Where a body goes on as in this step, and is as much faster then as it has become since its last room, if
 /// that is not more than it has.
-Vec3 WatchedPairs::way_ahead(const Room& room, const Vec3& d) {
+Vec3 WatchedPairs::path_ahead(const Room& room, const Vec3& d) {
   if (room.steps == 0) return least_ahead * d;
   const double steps = std::clamp(ahead_factor * room.steps, least_ahead, most_ahead);
   const Vec3 gain = 0.5 * steps / room.steps * (d - room.first);
@@ -145,7 +145,7 @@ void WatchedPairs::make_room(int i, const State& before, const State& after, con
   if (room.steps > long_after) room.share = std::max(0.5 * room.share, least_share);
   const double spare = room.share * radius;
   // The box holds this step and what is ahead.
-  const Vec3 from = before.position(i), to = after.position(i), ahead = to + way_ahead(room, move.d);
+  const Vec3 from = before.position(i), to = after.position(i), ahead = to + path_ahead(room, move.d);
   room.centres = Aabb{from.cwiseMin(to).cwiseMin(ahead), from.cwiseMax(to).cwiseMax(ahead)}.grown(spare);
   room.first = move.d;
   room.steps = 0;

@@ -61,7 +61,7 @@ class WatchedPairs {
   bool leaves_room(int body, const State& after, const StepMove& move);
   void make_room(int body, const State& before, const State& after, const StepMove& move);
   void update_trees();
-  static Vec3 way_ahead(const Room& room, const Vec3& d);
+  static Vec3 path_ahead(const Room& room, const Vec3& d);
   void pair_anew(int body);
   bool may_meet(KeptPair& pair, const State& before, const std::vector<StepMove>& moves) const;
   double gap(int a, int b, const State& state) const;

@@ -81,7 +81,7 @@ class Polisher {
       return make_solution(problem_, clamp_to_cones(problem_, forces), modes, tolerance_);
     };
     if (has_slips) {
-      const CoulombSolution smooth = solution_of(guess.lambda);
+      CoulombSolution smooth = solution_of(guess.lambda);
       if (smooth.residual <= kZero) return smooth;
     }
 

@@ -287,7 +287,7 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
   // They come first where any share of redundant contacts will do, and after the chain where it must be the
   // least.
   if (!options.least_norm) {
-    const CoulombSolution holding = try_holding(problem, options.tolerance);
+    CoulombSolution holding = try_holding(problem, options.tolerance);
     if (holding.converged) return holding;
     if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options, options.enough))
       return std::move(*solution);
@@ -303,7 +303,7 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
 
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options) {
   check_sizes(problem);
-  const CoulombSolution open{
+  CoulombSolution open{
       VecX::Zero(problem.b.size()), problem.b, open_guess(problem).modes.modes, 0.0, 0, true, "open"};
   if (!is_finite(problem)) {
     CoulombSolution failed = open;

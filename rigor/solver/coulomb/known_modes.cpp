@@ -20,8 +20,10 @@ std::vector<ContactVector> force_directions(const CoulombProblem& problem, const
   for (Index i = 0; i < static_cast<Index>(modes.modes.size()); ++i) {
     const std::size_t k = at(i);
     if (modes.modes[k] == ContactMode::stick) {
+      // A contact that sticks may have any force, so its columns are the axes.
       for (int axis = 0; axis < 3; ++axis) columns.push_back({i, Vec3::Unit(axis)});
     } else if (modes.modes[k] == ContactMode::slide) {
+      // One that slides has a force on the border of its cone, against the slip: one column.
       const double mu = problem.mu[k];
       const Vec2 slip = mu > 0 ? modes.slips[k] : Vec2::Zero();
       columns.push_back({i, Vec3(-mu * slip(0), -mu * slip(1), 1.0) / std::sqrt(1.0 + mu * mu)});
@@ -35,6 +37,7 @@ std::vector<ContactVector> equations(const ContactModes& modes) {
   for (Index i = 0; i < static_cast<Index>(modes.modes.size()); ++i) {
     const ContactMode mode = modes.modes[at(i)];
     if (mode == ContactMode::open) continue;
+    // Sticking holds the three components of the rate at zero, sliding the normal one.
     for (int axis = mode == ContactMode::stick ? 0 : 2; axis < 3; ++axis)
       rows.push_back({i, Vec3::Unit(axis)});
   }
@@ -57,6 +60,7 @@ MatX reduce(const MatX& A, const std::vector<ContactVector>& rows,
   MatX reduced(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
   for (Index j = 0; j < reduced.cols(); ++j) {
     const ContactVector& column = columns[at(j)];
+    // Only three columns of A act on a direction of one contact.
     const VecX image = A.middleCols<3>(3 * column.contact) * column.direction;
     for (Index r = 0; r < reduced.rows(); ++r) {
       const ContactVector& row = rows[at(r)];
@@ -72,6 +76,7 @@ KnownModesSystem::KnownModesSystem(const CoulombProblem& problem, const ContactM
       system_(reduce(problem.A, equations(modes), columns_)),
       right_side_(right_side(problem.b, equations(modes))),
       x_least_(system_.solve(right_side_)) {
+  // Unknowns are listed by contact: three for one that sticks, one for one that slides.
   for (Index j = 0; j < x_least_.size();) {
     const Index contact = columns_[at(j)].contact;
     const std::size_t k = at(contact);
@@ -96,6 +101,8 @@ VecX KnownModesSystem::solve_near(const VecX& lambda) const {
     const ContactVector& column = columns_[at(j)];
     x(j) = column.direction.dot(lambda.segment<3>(3 * column.contact));
   }
+  // The least change of the given forces, as far as these directions can make them, that solves the
+  // equations.
   x += system_.solve(right_side_ - system_.matrix() * x);
   return expand(x);
 }
@@ -134,7 +141,9 @@ std::optional<VecX> KnownModesSystem::find_in_cones() const {
   constexpr int kMaxSteps = 40;
   constexpr double kRunaway = 1e6;
   if (!x_least_.allFinite()) return std::nullopt;
+  // Where the least-norm solution obeys the cones, it is the answer.
   if (project(x_least_) == x_least_) return expand(x_least_);
+  // Else the search is for y, which has as many components as the equations have rank.
   const MatX Z = system_.row_space();
   const VecX d = Z.transpose() * x_least_;
   const double size = d.norm();
@@ -147,6 +156,7 @@ std::optional<VecX> KnownModesSystem::find_in_cones() const {
     // The derivative of the projection is only semidefinite: a little is added that vanishes with the error.
     MatX H = project_derivative(Z * point.y, Z);
     H.diagonal().array() += 1e-3 * std::min(1e-3, error / size) + kEpsilon;
+    // The Newton step, halved until the function or its gradient becomes smaller.
     const VecX direction = -symmetric_solution(H, point.gradient);
     const double slope = point.gradient.dot(direction);
     double length = 1;

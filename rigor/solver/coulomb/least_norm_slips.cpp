@@ -28,7 +28,7 @@ class LeastNormSlips {
     first_ = angles;
     // The fixed point of slip angles → forces → slip angles.
     for (int round = 0; round < kMaxRounds; ++round) {
-      const std::optional<CoulombSolution> solution = forces_for(angles);
+      std::optional<CoulombSolution> solution = forces_for(angles);
       if (!solution || solution->residual <= accepted_) return solution;
       const std::optional<VecX> change = find_angle_change(*solution);
       if (!change || free_slips_.empty()) return std::nullopt;

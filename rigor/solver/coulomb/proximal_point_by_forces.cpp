@@ -36,6 +36,7 @@ void add_roots(double a, double b, double c, const Vec2& normal, std::vector<dou
 
 Vec3 SearchByForces::argument(const Place& place, Index contact) const {
   const Index row = 3 * contact;
+  // The argument of the projection: the force less c times the rate, with the proximal term of this point.
   const double mass = from_->masses(contact);
   const Vec3 lambda = place.lambda.segment<3>(row);
   const Vec3 w = place.rates.segment<3>(row) + from_->laws.b.segment<3>(row) +
@@ -55,9 +56,11 @@ void SearchByForces::measure(const Place& place, Miss& miss) {
   miss.F.resize(place.lambda.size());
   miss.modes.resize(count);
   miss.slopes.resize(count);
+  // What M v - Lᵀ λ misses, as an energy.
   momentum_ = place.momentum - place.pulled;
   from_->motion.lift(momentum_, lifted_);
   double square = std::max(0.0, momentum_.dot(lifted_));
+  // What the law misses of each force, in the same unit.
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = static_cast<Index>(k);
     const ProjectedForce projection = alart_curnier(from_->laws, k, argument(place, i));
@@ -92,17 +95,20 @@ void SearchByForces::linearise(const Miss& miss) {
 }
 
 void SearchByForces::direct(const Place& place, const Miss& miss, Place& way) {
+  // r of linearise(), by the mode of each contact.
   r_ = miss.F;
   for (std::size_t k = 0; k < D_.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
     if (modes_[k] == ContactMode::stick) r_.segment<3>(row) *= rho_ / kScale;
     if (modes_[k] == ContactMode::slide) r_.segment<3>(row) = inverse_[k] * miss.F.segment<3>(row);
   }
+  // dv, with its rates and momenta.
   from_->motion.pull(r_, momentum_);
   momentum_ = place.pulled - momentum_ - place.momentum;
   way.v = from_->motion.solve(momentum_);
   from_->motion.rates(way.v, way.rates);
   from_->motion.weigh(way.v, way.momentum);
+  // dλ = -D L dv - r; an open contact gives back all of its force.
   way.lambda = -r_;
   for (std::size_t k = 0; k < D_.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);

@@ -63,6 +63,7 @@ UnitProblem in_units(const RollingFrictionProblem& problem) {
     for (const auto& [first, size] :
          {std::pair<Index, Index>{row, 2}, {row + 2, 1}, {row + 3, 2}, {row + 5, 1}})
       set(first, size);
+    // Coefficients are ratios of forces and moments, so that they change with the units.
     const double normal = unit.units(row + 2);
     unit.problem.mu[k] *= normal / unit.units(row);
     unit.problem.rolling[k] *= normal / unit.units(row + 3);
@@ -255,6 +256,7 @@ RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& pro
 
 double rolling_friction_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
+  // What rows miss is measured by the largest terms that are summed in rows of the same unit.
   const VecX terms = (problem.A.cwiseAbs() * lambda.cwiseAbs()).cwiseMax(problem.b.cwiseAbs());
   double velocity = 0, angular_velocity = 0;
   for (Index row = 0; row < terms.size(); ++row) {

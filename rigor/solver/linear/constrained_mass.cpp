@@ -105,6 +105,7 @@ bool ConstrainedMass::copy_input(std::span<const Mat6> masses, std::span<const M
   bool is_new = false;
   const auto take = [&is_new](const Mat6& value, Mat6& place) {
     // Bit for bit: a zero of the other sign is another number.
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     if (std::memcmp(value.data(), place.data(), sizeof(Mat6)) == 0) return;
     place = value;
     is_new = true;

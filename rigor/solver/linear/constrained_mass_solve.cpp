@@ -14,6 +14,7 @@ Mat6 common_product(const std::vector<SpanningForest::PathNode>& a, const std::v
                     const std::array<bool, 6>& of_a, const std::vector<SpanningForest::PathNode>& b,
                     const std::vector<Mat6>& P_b, const std::array<bool, 6>& of_b) {
   Mat6 sum = Mat6::Zero();
+  // Both paths go from the leaves to the root, so that equal places are met by one walk over both.
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
     if (a[i].place > b[j].place) {
       ++i;
@@ -46,6 +47,7 @@ void ConstrainedMass::factor_dense(double threshold) {
   const Eigen::Index size = number_dense_rows();
   S_.resize(size, size);
   row_sizes_.resize(size);
+  // S, the response of the rows that close loops through the trees: its lower half, mirrored.
   for (const Loop& a : loops_) {
     for (std::size_t i = 0; i < 6; ++i)
       if (a.dense[i] >= 0) row_sizes_(a.dense[i]) = a.sizes(static_cast<Eigen::Index>(i));
@@ -62,6 +64,8 @@ void ConstrainedMass::factor_dense(double threshold) {
   }
   dense_.factor(S_, row_sizes_, threshold);
 
+  // Rows that pivots did not take repeat others to rounding: they are left out, by their numbers among all
+  // rows.
   const std::vector<Eigen::Index>& taken = dense_.pivots();
   for (const Loop& loop : loops_) {
     for (std::size_t i = 0; i < 6; ++i) {
@@ -87,6 +91,7 @@ ConstrainedMass::Solution ConstrainedMass::solve(const VecX& f, const VecX& c) c
 
 ConstrainedMass::Solution ConstrainedMass::solve_once(const VecX& f, const VecX& c) const {
   Solution solution{f, VecX(row_count_)};
+  // Up the trees, across the loops, and down the trees again.
   eliminate(solution.a, solution.lambda, &c);
   const VecX mu = close_loops(solution.a, solution.lambda, &c);
   substitute(solution.a, solution.lambda);
@@ -154,6 +159,7 @@ void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, con
   }
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it writes through lambda.
 VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, const VecX* c) const {
   // What the trees' motion leaves of c.
   VecX left(S_.rows());
@@ -170,7 +176,8 @@ VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, c
       if (loop.dense[i] >= 0) left(loop.dense[i]) = rest(static_cast<Eigen::Index>(i));
   }
 
-  const VecX mu = dense_.solve(left);
+  // The forces that close the loops, and what they are to the nodes on their paths.
+  VecX mu = dense_.solve(left);
   for (const Loop& loop : loops_) {
     Vec6 forces = Vec6::Zero();
     for (std::size_t i = 0; i < 6; ++i)

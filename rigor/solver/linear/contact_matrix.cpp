@@ -22,6 +22,8 @@ VecX unknown_scales(const ContactRows& rows) {
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const Mat6& mass = rows.masses[k];
     const Index first = 6 * static_cast<Index>(k);
+    // Unknowns of mass and inertia near 1, so that one threshold serves all pivots; powers of two round
+    // nothing.
     scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
     scales.segment<3>(first + 3).setConstant(
         power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
@@ -48,6 +50,7 @@ void ContactMatrix::add_sides(const ContactRows::Sides& sides) {
     own.push_back(&side);
     rows_.push_back(side.J * scales_.segment<6>(6 * side.node).asDiagonal());
   }
+  // Where the products of any two sides go in the matrix is found once for all factorisations.
   for (const ContactRows::Side* left : own)
     for (const ContactRows::Side* right : own) slots_.push_back(pattern_.slot(left->node, right->node));
   pair_of_.push_back(own.size() == 2 ? pair_of(*own[0], *own[1]) : no_pair);
@@ -57,6 +60,8 @@ void ContactMatrix::add_sides(const ContactRows::Sides& sides) {
 int ContactMatrix::pair_of(const ContactRows::Side& A, const ContactRows::Side& B) {
   constexpr double rounding = 1e-12;
   if (A.node == B.node) return no_pair;
+  // For a force at one point the rows of B are those of A, negated, about a centre that is displaced by the
+  // arm.
   const Mat3 axes = A.J.leftCols<3>();
   const Mat3 arm = axes.transpose() * (-B.J.rightCols<3>() - A.J.rightCols<3>());
   const double size = A.J.cwiseAbs().maxCoeff() + B.J.cwiseAbs().maxCoeff();
@@ -71,6 +76,7 @@ int ContactMatrix::pair_of(const ContactRows::Side& A, const ContactRows::Side& 
     if (known.A == A.node && known.B == B.node && (known.arm - arm).cwiseAbs().maxCoeff() <= rounding * size)
       return static_cast<int>(k);
   }
+  // A new pair: its shift between scaled unknowns, and the places of its four blocks.
   const double linear_A = scales_(6 * A.node), angular_A = scales_(6 * A.node + 3);
   const double linear_B = scales_(6 * B.node), angular_B = scales_(6 * B.node + 3);
   pairs_.push_back({A.node, B.node, arm, linear_B / linear_A, angular_B / angular_A,
@@ -81,6 +87,8 @@ int ContactMatrix::pair_of(const ContactRows::Side& A, const ContactRows::Side& 
 }
 
 bool ContactMatrix::factor(const std::vector<Mat3>& D, bool is_symmetric) {
+  // The masses, then what the contacts add: contacts of a pair are summed on A, and shifted to the other
+  // blocks once.
   blocks_.restart(is_symmetric);
   for (int node = 0; node < static_cast<int>(masses_.size()); ++node)
     blocks_.block(pattern_.slot(node, node)) = masses_[at(node)];
@@ -124,6 +132,7 @@ void ContactMatrix::add_product(const Rows& left, const Mat3& D, const Rows& rig
 /// The four blocks of a pair from its sum: what X does to columns, it does by its three blocks.
 void ContactMatrix::add_pair(const Pair& pair) {
   const Block6& S = pair.sum;
+  // S X, and Xᵀ times a block, with X = (linear, arm; 0, angular).
   Block6 SX;
   SX.leftCols<3>() = pair.linear * S.leftCols<3>();
   SX.rightCols<3>() = S.leftCols<3>().lazyProduct(pair.scaled_arm) + pair.angular * S.rightCols<3>();
@@ -134,6 +143,7 @@ void ContactMatrix::add_pair(const Pair& pair) {
         pair.scaled_arm.transpose().lazyProduct(block.topRows<3>()) + pair.angular * block.bottomRows<3>();
     return result;
   };
+  // (J_A, -J_A X)ᵀ D (J_A, -J_A X), summed over the contacts.
   blocks_.block(pair.slot_A) += S;
   blocks_.block(pair.slot_B) += shifted(SX);
   if (blocks_.is_read(pair.slot_AB)) blocks_.block(pair.slot_AB) -= SX;

@@ -110,7 +110,7 @@ class Lemke {
 
 // The same closed set solved afresh, if that is a solution of less residual.
 LcpSolution refined(const MatX& M, const VecX& q, const Lemke& lemke) {
-  const LcpSolution raw = finish_lcp(M, q, lemke.z(), lemke.pivots());
+  LcpSolution raw = finish_lcp(M, q, lemke.z(), lemke.pivots());
   const std::vector<Index> C = lemke.closed();
   if (C.empty()) return raw;
   const Eigen::FullPivLU<MatX> factors(M(C, C));

@@ -58,6 +58,7 @@ void check_graph(const ConstraintGraph& graph) {
 SpanningForest::SpanningForest(const ConstraintGraph& graph) {
   check_graph(graph);
   const int ground = graph.node_count;
+  // A link that joins two trees, or a tree to the ground, belongs to the forest; any other closes a loop.
   std::vector<std::vector<int>> tree_links(at(ground) + 1);
   JoinedNodes joined(ground + 1);
   for (const int link : links_by_rows(graph)) {
@@ -101,6 +102,7 @@ SpanningForest::SpanningForest(const ConstraintGraph& graph) {
 }
 
 std::vector<SpanningForest::PathNode> SpanningForest::path(std::span<const int> graph_nodes) const {
+  // All places between these nodes and their roots.
   std::vector<int> reached;
   for (const int node : graph_nodes) {
     for (int place = places[at(node)]; place >= 0; place = nodes[at(place)].parent) reached.push_back(place);
@@ -108,6 +110,7 @@ std::vector<SpanningForest::PathNode> SpanningForest::path(std::span<const int> 
   // Children have higher places than their parents.
   reached = sorted_unique(std::move(reached), std::greater<>());
 
+  // Each with its parent's position in the path itself.
   std::vector<PathNode> path;
   for (const int place : reached) {
     const int parent = nodes[at(place)].parent;

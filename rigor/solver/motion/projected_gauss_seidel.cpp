@@ -78,6 +78,8 @@ class Sweeper {
         nu_(start.nu.size() > 0 ? start.nu : VecX(VecX::Zero(problem.c.size()))) {
     RIGOR_ASSERT(problem.c.size() == static_cast<Index>(joints_.size()));
     RIGOR_ASSERT(lambda_.size() == laws_.b.size() && nu_.size() == problem.c.size());
+    // The first forces must keep the law's bounds, and the motion must be theirs: sweeps change both
+    // together.
     lambda_ = clamp_to_cones(laws_, lambda_);
     const Index size = 6 * static_cast<Index>(rows_.node_count());
     V_ = node_accelerations(rows_, contact_wrenches(rows_, lambda_) + joint_wrenches(joints_, nu_, size));
@@ -100,6 +102,7 @@ class Sweeper {
 
   void add_contact(const ContactRows::Sides& sides) {
     ContactResponse response;
+    // The contact's own block of J M⁻¹ Jᵀ; bodies that do not give way add nothing.
     Mat3 A = Mat3::Zero();
     for (std::size_t s = 0; s < sides.size(); ++s) {
       if (sides[s].node < 0) continue;
@@ -115,6 +118,8 @@ class Sweeper {
     const JointRow& joint = joints_[j];
     const Index row = static_cast<Index>(j);
     if (!(joint.mobility > 0)) return;
+    // One row at a time: the force that makes its rate zero if nothing else changes, and what it does to the
+    // motion.
     double rate = problem_.c(row);
     for (const JointRow::Side& side : joint.sides) rate += side.J.dot(V_.segment<6>(6 * side.node));
     const double change = -rate / joint.mobility;
@@ -176,6 +181,7 @@ VelocitySolution solution_of(const VelocityProblem& problem, const VecX& lambda,
   const VecX V = node_accelerations(rows, p);
   VelocitySolution solution{lambda, nu, contact_rates(rows, V) + laws.b, joint_rates(joints, V) + problem.c,
                             0.0};
+  // The size of what is summed in the rows, against which what they miss is measured.
   double size = 0;
   if (lambda.size() > 0) size = std::max(laws.b.cwiseAbs().maxCoeff(), term_sizes(rows, lambda).maxCoeff());
   for (std::size_t j = 0; j < joints.size(); ++j) {

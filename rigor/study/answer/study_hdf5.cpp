@@ -17,20 +17,6 @@ namespace {
 /// Runs that are in memory at a time while a file is written.
 constexpr std::uint64_t slab_rows = 4096;
 
-/// A list of texts as strings of equal length, padded with NUL.
-bool write_texts(hid_t file, const char* name, const std::vector<std::string>& texts) {
-  std::size_t longest = 1;
-  for (const std::string& text : texts) longest = std::max(longest, text.size());
-  std::string bytes;
-  for (const std::string& text : texts) bytes.append(text).append(longest - text.size(), '\0');
-  const Hdf5Handle type = hdf5_text_type(longest);
-  const hsize_t count = texts.size();
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle data(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-  return data.is_open() &&
-         (count == 0 || H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0);
-}
-
 /// How a data set of one row a run is stored, and how its numbers are in memory.
 struct RowType {
   hid_t stored, memory;
@@ -97,7 +83,7 @@ bool write_reasons(hid_t file, const Study& study) {
   return write_rows<std::uint64_t>(
              file, "reason_run", {H5T_STD_U64LE, H5T_NATIVE_UINT64, 0}, runs.size(),
              [&](std::uint64_t i, std::vector<std::uint64_t>& slab) { slab.push_back(runs[i]); }) &&
-         write_texts(file, "reason", reasons);
+         write_hdf5_texts(file, "reason", reasons);
 }
 
 bool write_numbers(hid_t file, const Study& study) {
@@ -127,10 +113,10 @@ void write_study_hdf5(const Study& study, const std::filesystem::path& path) {
   Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose);
   const StudyPlan& plan = study.plan();
   const bool is_written =
-      file.is_open() && write_texts(file, "parameter_names", plan.columns()) &&
-      write_texts(file, "outcome_names", row_columns(plan)) && write_numbers(file, study) &&
+      file.is_open() && write_hdf5_texts(file, "parameter_names", plan.columns()) &&
+      write_hdf5_texts(file, "outcome_names", row_columns(plan)) && write_numbers(file, study) &&
       write_statuses(file, study) && write_seeds(file, study) && write_reasons(file, study) &&
-      write_texts(file, "study", {plan.text}) && write_texts(file, "rigor", {std::string(version)});
+      write_hdf5_texts(file, "study", {plan.text}) && write_hdf5_texts(file, "rigor", {std::string(version)});
   if (!file.reset() || !is_written) throw FileError("cannot write '" + path.string() + "'");
 }
 

@@ -233,23 +233,23 @@ Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, co
   return {eye, eye + (middle - depth) * axes.col(2), up, field_of_view};
 }
 
-Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraWishes& wishes,
+Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraOptions& options,
                    double width_to_height) {
   std::vector<FramedBall> balls = framed_balls(scene, poses);
   if (balls.empty()) balls.push_back({Vec3::Zero(), 1});
-  const double field_of_view = wishes.field_of_view.value_or(usual_field_of_view);
+  const double field_of_view = options.field_of_view.value_or(usual_field_of_view);
   const auto framed = [&](const Vec3& along) {
     return framing_camera(balls, along, scene.up, field_of_view, width_to_height);
   };
-  Vec3 forward = wishes.forward.value_or(line_of_sight(balls, scene.up));
-  if (!wishes.forward && !wishes.eye) forward = clear_sight(scene, poses, forward, framed);
+  Vec3 forward = options.forward.value_or(line_of_sight(balls, scene.up));
+  if (!options.forward && !options.eye) forward = clear_sight(scene, poses, forward, framed);
   Camera camera = framed(forward);
   // What the user asked for overrides the framing.
-  if (wishes.target) {
-    if (!wishes.eye) camera.eye += *wishes.target - camera.target;
-    camera.target = *wishes.target;
+  if (options.target) {
+    if (!options.eye) camera.eye += *options.target - camera.target;
+    camera.target = *options.target;
   }
-  if (wishes.eye) camera.eye = *wishes.eye;
+  if (options.eye) camera.eye = *options.eye;
   if (camera.eye == camera.target) camera.target += forward;
   return camera;
 }

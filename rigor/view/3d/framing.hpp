@@ -9,7 +9,7 @@
 namespace rigor {
 
 /// What the user asked for; everything else is derived from the motion.
-struct CameraWishes {
+struct CameraOptions {
   std::optional<Vec3> eye, target;      ///< p_W [m].
   std::optional<double> field_of_view;  ///< Between the upper and the lower edge [rad].
   std::optional<Vec3> forward;          ///< Direction of sight, where the eye is not given; unit.
@@ -25,7 +25,7 @@ struct CameraWishes {
 ///   within four times the distance, from the middle of the start, that half of the bodies ever reach,
 ///   and within a hundred radii of the largest body, or 1.5 times the distance of the farthest at the start,
 /// because farther off the bodies would be too small to see. Static bodies count if they are within that.
-Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraWishes& wishes,
+Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraOptions& options,
                    double width_to_height);
 
 /// The nearest eye that looks along `forward` and has all balls inside the picture. Exact: one ball touches

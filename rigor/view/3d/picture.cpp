@@ -135,10 +135,10 @@ PictureSize sheet_tile(int sheet_width) {
   return {width, std::max(least_picture_side, width * 9 / 16)};
 }
 
-Photographer::Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size)
-    : recording_(recording), size_(size), wishes_(wishes), scene_(make_drawn_scene(*recording.model)) {
+Photographer::Photographer(const Recording& recording, const CameraOptions& options, const PictureSize& size)
+    : recording_(recording), size_(size), options_(options), scene_(make_drawn_scene(*recording.model)) {
   const std::vector<Pose> poses = sampled_poses(recording);
-  camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
+  camera_ = make_camera(scene_, poses, options, static_cast<double>(size.width) / size.height);
   glass_ = SightLines(scene_, poses).hiding(camera_.eye);
   place_legend(poses);
 }
@@ -180,7 +180,7 @@ Camera Photographer::camera_of_moment(std::size_t frame) const {
 
 /// Whether the common camera, where it may be left, shows nothing of what moves, or less than a pixel.
 bool Photographer::shows_nothing(std::size_t frame) const {
-  if (!(largest_radius(scene_) > 0) || wishes_.eye || wishes_.target) return false;
+  if (!(largest_radius(scene_) > 0) || options_.eye || options_.target) return false;
   const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
   const Projection common(camera_, size_.width, size_.height);
   return covered(all, scene_, poses_at(recording_, frame), common) < 1;
@@ -188,9 +188,9 @@ bool Photographer::shows_nothing(std::size_t frame) const {
 
 /// A camera that frames this moment alone, in the direction of the common one.
 Camera Photographer::own_camera(std::size_t frame) const {
-  CameraWishes wishes = wishes_;
-  wishes.forward = (camera_.target - camera_.eye).normalized();
-  Camera own = make_camera(scene_, poses_at(recording_, frame), wishes,
+  CameraOptions options = options_;
+  options.forward = (camera_.target - camera_.eye).normalized();
+  Camera own = make_camera(scene_, poses_at(recording_, frame), options,
                            static_cast<double>(size_.width) / size_.height);
   // Not so near that the largest body fills the picture and nothing tells where it is.
   constexpr double large = 12;  // Radius [px].

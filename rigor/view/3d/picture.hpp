@@ -23,7 +23,7 @@ inline constexpr int least_picture_side = 16, most_picture_side = 16384;
 class Photographer {
  public:
   /// The recording must outlive this object.
-  Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size);
+  Photographer(const Recording& recording, const CameraOptions& options, const PictureSize& size);
 
   const Camera& camera() const { return camera_; }
   /// The same camera, or one that frames this moment alone, seen in the same direction, if that shows nothing
@@ -52,7 +52,7 @@ class Photographer {
 
   const Recording& recording_;
   PictureSize size_;
-  CameraWishes wishes_;
+  CameraOptions options_;
   DrawnScene scene_;
   Camera camera_;
   Renderer renderer_;

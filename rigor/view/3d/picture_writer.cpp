@@ -27,8 +27,8 @@ std::unique_ptr<TrajectoryWriter> make_picture_writer(const std::filesystem::pat
   return std::make_unique<PictureWriter>(path, scene);
 }
 
-Image key_moment_sheet(const Recording& recording, const CameraWishes& wishes, int width) {
-  return Photographer(recording, wishes, sheet_tile(width))
+Image key_moment_sheet(const Recording& recording, const CameraOptions& options, int width) {
+  return Photographer(recording, options, sheet_tile(width))
       .sheet(find_key_moments(recording, sheet_pictures));
 }
 

@@ -32,6 +32,6 @@ inline constexpr std::size_t sheet_pictures = 6;
 inline constexpr int sheet_width = 1440;
 
 /// The sheet of a recording's key moments.
-Image key_moment_sheet(const Recording& recording, const CameraWishes& wishes, int width = sheet_width);
+Image key_moment_sheet(const Recording& recording, const CameraOptions& options, int width = sheet_width);
 
 }  // namespace rigor

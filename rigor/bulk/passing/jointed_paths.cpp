@@ -1,4 +1,4 @@
-#include "rigor/bulk/passing/jointed_ways.hpp"
+#include "rigor/bulk/passing/jointed_paths.hpp"
 
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/math/rotation.hpp"
@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-void JointedWays::begin(std::size_t bodies, int substeps) {
+void JointedPaths::begin(std::size_t bodies, int substeps) {
   substeps_ = substeps;
   noted_ = 0;
   jointed_ = 0;
@@ -15,8 +15,8 @@ void JointedWays::begin(std::size_t bodies, int substeps) {
   legs_.clear();
 }
 
-void JointedWays::note(const BulkBodies& bodies, const std::vector<int>& moving,
-                       const std::vector<char>& is_jointed) {
+void JointedPaths::note(const BulkBodies& bodies, const std::vector<int>& moving,
+                        const std::vector<char>& is_jointed) {
   // The first substep decides who is noted: those that move are the same all through the step.
   const bool is_first = noted_++ == 0;
   for (const int body : moving) {
@@ -27,7 +27,7 @@ void JointedWays::note(const BulkBodies& bodies, const std::vector<int>& moving,
   }
 }
 
-WayPoint JointedWays::point(int body, double t) const {
+BodyDisplacement JointedPaths::point(int body, double t) const {
   // Between the ends of two substeps.
   const double place = t * substeps_;
   const int k = std::clamp(static_cast<int>(place), 0, substeps_ - 1);
@@ -38,7 +38,7 @@ WayPoint JointedWays::point(int body, double t) const {
   return {p + part * (q - p), rotation_exp(part * rotation_log(last * first.conjugate())) * first};
 }
 
-Aabb JointedWays::box(int body) const {
+Aabb JointedPaths::box(int body) const {
   Aabb box{Vec3::Zero(), Vec3::Zero()};
   for (int k = 0; k < substeps_; ++k) {
     const Vec3 dp = vector_of(leg(body, k).data());
@@ -47,7 +47,7 @@ Aabb JointedWays::box(int body) const {
   return box;
 }
 
-std::array<double, 2> JointedWays::lengths(int body) const {
+std::array<double, 2> JointedPaths::lengths(int body) const {
   std::array<double, 2> lengths{};
   for (int k = 0; k < substeps_; ++k) {
     const Leg &to = leg(body, k), from = k == 0 ? Leg{} : leg(body, k - 1);

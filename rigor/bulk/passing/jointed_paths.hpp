@@ -10,28 +10,28 @@
 namespace rigor {
 
 /// How far a body has gone within a step.
-struct WayPoint {
+struct BodyDisplacement {
   Vec3 dp;    ///< Displacement [m].
   Quat turn;  ///< Rotation, along W's axes.
 };
 
-/// The ways of bodies that joints hold: not straight, but as the substeps have taken them. Wherever these
+/// The paths of bodies that joints hold: not straight, but as the substeps have taken them. Wherever these
 /// ended, the joints hold.
-class JointedWays {
+class JointedPaths {
  public:
   /// A step of so many substeps begins.
   void begin(std::size_t bodies, int substeps);
   /// After each of them: where the bodies are.
   void note(const BulkBodies& bodies, const std::vector<int>& moving, const std::vector<char>& is_jointed);
 
-  /// Whether the way of the body is known, which is that of all bodies that were noted in each substep.
+  /// Whether the path of the body is known, which is that of all bodies that were noted in each substep.
   bool has(int body) const { return at(body) < first_.size() && first_[at(body)] >= 0; }
   int leg_count() const { return substeps_; }
   /// After the part t of the step, from 0 to 1; within a substep along its displacement.
-  WayPoint point(int body, double t) const;
+  BodyDisplacement point(int body, double t) const;
   /// The box about all displacements of the centre.
   Aabb box(int body) const;
-  /// Lengths of the ways of the centre [m] and of the orientation [rad].
+  /// Lengths of the paths of the centre [m] and of the orientation [rad].
   std::array<double, 2> lengths(int body) const;
 
  private:

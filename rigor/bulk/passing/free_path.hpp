@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// A shape on its way: its body moves straight and turns about one axis.
-struct WayOfShape {
+/// A shape along its path: its body moves straight and turns about one axis.
+struct ShapePath {
   const BodyShape* shape;
   Pose X_WB;         ///< At the beginning.
   Vec3 dp_W, dr_W;   ///< Displacement [m] and rotation vector [rad] of the body.
@@ -16,18 +16,18 @@ struct WayOfShape {
   double thickness;  ///< thickness_of() [m].
 };
 
-/// The part of their ways, at most 1, that two shapes can go until they overlap by `deep_share` of the
+/// The part of their paths, at most 1, that two shapes can go until they overlap by `deep_share` of the
 /// thinner one's thickness; shapes that overlap by more at the beginning may do so by a twentieth more. The
-/// way is proven free, or seen at distances that no shape skips.
+/// path is proven free, or seen at distances that no shape skips.
 ///
 /// Source of the steps: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2.
-double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share);
+double free_path(const ShapePath& A, const ShapePath& B, double deep_share);
 
-/// A stretch of the ways of two shapes, both straight.
-struct WayLeg {
-  WayOfShape A, B;
+/// A stretch of the paths of two shapes, both straight.
+struct PathSegment {
+  ShapePath A, B;
 };
-/// How many of the legs, one after the other, two shapes can go so; the last one in part.
-double free_legs(std::span<const WayLeg> legs, double deep_share);
+/// How many of the segments, one after the other, two shapes can go so; the last one in part.
+double free_segments(std::span<const PathSegment> segments, double deep_share);
 
 }  // namespace rigor

@@ -1,12 +1,12 @@
-#include "rigor/sim/witness/step_way.hpp"
+#include "rigor/sim/witness/step_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace rigor {
 
-PathPiece step_way(const Model& model, const Environment& environment, int i, const State& before,
-                   const State& after) {
+PathPiece step_path(const Model& model, const Environment& environment, int i, const State& before,
+                    const State& after) {
   const Body& body = model.body(i);
   const double h = after.t - before.t;
   StraightPath way =

@@ -1,4 +1,4 @@
-#include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/passing/free_path.hpp"
 
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
@@ -34,19 +34,24 @@ constexpr double deeper_share = 0.05;  ///< What is deep already may become deep
 /// their distance. Tried are planes across the line of their centres, and along the faces of boxes.
 class PartingPlane {
  public:
-  PartingPlane(const WayOfShape& A, const WayOfShape& B)
+  PartingPlane(const ShapePath& A, const ShapePath& B)
       : A_(A), B_(B), X_WA_(A.X_WB * A.shape->X_BS), X_WB_(B.X_WB * B.shape->X_BS) {
+    // No point of either shape moves farther than this by the rotations of the bodies.
     turned_ = A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
   }
   bool is_there(double deepest, double deepest_now) const {
     if (!is_bounded(A_.shape->shape) || !is_bounded(B_.shape->shape)) return false;
     const Vec3 between = X_WB_.p - X_WA_.p;
+    // Along n the shapes are as far apart as their centres less their extents; along the way that changes by
+    // the displacements along n and by rotations.
     const auto parts = [&](const Vec3& n) {
       const double now = n.dot(between) - support_value(A_.shape->shape, X_WA_.R.transpose() * n) -
                          support_value(B_.shape->shape, X_WB_.R.transpose() * -n);
       return now >= deepest_now && now + std::min(0.0, n.dot(B_.dp_W - A_.dp_W)) - turned_ >= deepest;
     };
     const double length = between.norm();
+    // The line of the centres first, since it serves balls and whatever is far apart; then the faces that
+    // boxes lie on.
     if (length > 0 && parts(between / length)) return true;
     for (const bool is_A : {true, false}) {
       if (!std::holds_alternative<Box>((is_A ? A_ : B_).shape->shape)) continue;
@@ -59,15 +64,15 @@ class PartingPlane {
   }
 
  private:
-  const WayOfShape& A_;
-  const WayOfShape& B_;
+  const ShapePath& A_;
+  const ShapePath& B_;
   Pose X_WA_, X_WB_;
   double turned_;
 };
 
 class Walk {
  public:
-  Walk(const WayOfShape& A, const WayOfShape& B)
+  Walk(const ShapePath& A, const ShapePath& B)
       : A_(A),
         B_(B),
         motion_A_(A.X_WB, A.dp_W, A.dr_W),
@@ -97,8 +102,10 @@ class Walk {
       const DistanceResult now = distance(t);
       if (!level) level = std::min(-deep_share * thinner, now.distance - deeper_share * thinner);
       if (now.distance < *level) return last_free(last, t, *level);
+      // No point goes farther than length_ in the whole interval.
       double step = (now.distance - *level) / length_;
       if (t + step >= 1) return 1;
+      // A bound along the direction of the distance allows longer steps.
       if (has_bound_) {
         const SeparationBound bound(core_A_, core_B_, now.n_W, now.distance, t, 1);
         step = std::max(step, bound.safe_step(1 - t, *level));
@@ -118,6 +125,7 @@ class Walk {
   /// How far a mesh and a convex shape go from t without overlapping by more than `slack`: what slides along
   /// a triangle is not stopped by it.
   double mesh_step(double t, const DistanceResult& now, double slack) const {
+    // The bound wants the mesh first and the normal from it.
     const bool is_A = std::holds_alternative<Mesh>(A_.shape->shape);
     const MovingShape a{&A_.shape->shape, A_.shape->X_BS, &motion_A_},
         b{&B_.shape->shape, B_.shape->X_BS, &motion_B_};
@@ -132,6 +140,7 @@ class Walk {
   /// Between a time at which they may be there and one at which they overlap too much.
   double last_free(double low, double high, double level) const {
     constexpr int halvings = 20;
+    // By bisection: the distance need not be monotonic, but one end is free and the other is not.
     for (int k = 0; k < halvings; ++k) {
       const double middle = 0.5 * (low + high);
       (distance(middle).distance < level ? high : low) = middle;
@@ -139,8 +148,8 @@ class Walk {
     return low;
   }
 
-  const WayOfShape& A_;
-  const WayOfShape& B_;
+  const ShapePath& A_;
+  const ShapePath& B_;
   TwistMotion motion_A_, motion_B_;
   MovingCore core_A_, core_B_;
   bool has_bound_, is_mesh_and_convex_;
@@ -148,7 +157,7 @@ class Walk {
 };
 
 /// The part of the way that is free; `level` as in Walk.
-double free_part(const WayOfShape& A, const WayOfShape& B, double deep_share, std::optional<double>& level) {
+double free_part(const ShapePath& A, const ShapePath& B, double deep_share, std::optional<double>& level) {
   const double thinner = std::min(A.thickness, B.thickness);
   const double deepest = level.value_or(-deep_share * thinner);
   if (PartingPlane(A, B).is_there(deepest, level.value_or(deepest + deeper_share * thinner))) {
@@ -160,15 +169,15 @@ double free_part(const WayOfShape& A, const WayOfShape& B, double deep_share, st
 
 }  // namespace
 
-double free_way(const WayOfShape& A, const WayOfShape& B, double deep_share) {
+double free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
   std::optional<double> level;
   return free_part(A, B, deep_share, level);
 }
 
-double free_legs(std::span<const WayLeg> legs, double deep_share) {
+double free_segments(std::span<const PathSegment> legs, double deep_share) {
   std::optional<double> level;
   double gone = 0;
-  for (const WayLeg& leg : legs) {
+  for (const PathSegment& leg : legs) {
     const double part = free_part(leg.A, leg.B, deep_share, level);
     gone += part;
     if (part < 1) break;
