@@ -21,7 +21,8 @@ struct BenchOptions {
   BulkRunOptions run;
   int substeps = 0;  ///< 0: the default.
   std::vector<int> threads = {1, 2};
-  bool has_exact = false;  ///< Our exact solver too.
+  bool has_exact = false;     ///< Our exact solver too.
+  bool has_measures = false;  ///< Ours once more, with the measures of an audit.
   bool has_peers = true;
   double soak_seconds = 0;  ///< Instead of the table.
   ScaleOptions scale;       ///< Instead of the table, if any grains are asked for.
@@ -34,9 +35,15 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
   if (options.has_peers) contenders.push_back({"Bullet", make_bullet_engine});
 #endif
   for (const int threads : options.threads) {
-    const BulkEngineOptions with = {threads, options.substeps};
+    const BulkEngineOptions with = {threads, options.substeps, false};
     contenders.push_back({fmt::format("Rigor, {} thread{}", threads, threads == 1 ? "" : "s"),
                           [with](std::shared_ptr<const Model> model) {
+                            return make_bulk_world_engine(std::move(model), with);
+                          }});
+  }
+  if (options.has_measures) {
+    const BulkEngineOptions with = {options.threads.front(), options.substeps, true};
+    contenders.push_back({"Rigor, measures", [with](std::shared_ptr<const Model> model) {
                             return make_bulk_world_engine(std::move(model), with);
                           }});
   }
@@ -116,6 +123,7 @@ int main(int argc, char** argv) {
   app.add_option("--sample", options.run.sample_interval, "steps between two looks at the quality")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--exact", options.has_exact, "time stepping with the exact solver too (small scenes)");
+  app.add_flag("--measures", options.has_measures, "ours once more, with the measures of an audit");
   app.add_flag("!--no-peers", options.has_peers, "ours alone");
   app.add_option("--soak", options.soak_seconds, "instead: run each scene for so many seconds of its time")
       ->check(CLI::Range(1.0, 1e6));
