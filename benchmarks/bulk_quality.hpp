@@ -52,7 +52,7 @@ struct BulkQuality {
   double energy_change = 0;
   double free_energy_change = 0;
   double free_time = 0;  ///< Of that sample [s].
-  bool stands = true;    ///< Nothing has come down by 1 m.
+  bool stands = true;    ///< Nothing has come down by 1 m, or a fiftieth of the height over 0 that is more.
 };
 
 /// Collects the figures of a run.
@@ -68,6 +68,7 @@ class BulkJudge {
   const Model& model_;
   BulkPoses start_;
   double start_energy_ = 0, reference_energy_ = 0;  ///< [J].
+  double fall_ = 1;                                 ///< What comes down by more than that has fallen [m].
   bool has_touched_ = false;
   BulkQuality quality_;
 };
