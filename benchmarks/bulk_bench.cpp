@@ -21,7 +21,8 @@ struct BenchOptions {
   BulkRunOptions run;
   int substeps = 0;  ///< 0: the default.
   std::vector<int> threads = {1, 2};
-  bool has_exact = false;  ///< Our exact solver too.
+  bool has_exact = false;     ///< Our exact solver too.
+  bool has_measures = false;  ///< Ours once more, with the measures of an audit.
   bool has_peers = true;
   double soak_seconds = 0;  ///< Instead of the table.
   ScaleOptions scale;       ///< Instead of the table, if any grains are asked for.
@@ -34,9 +35,15 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
   if (options.has_peers) contenders.push_back({"Bullet", make_bullet_engine});
 #endif
   for (const int threads : options.threads) {
-    const BulkEngineOptions with = {threads, options.substeps};
+    const BulkEngineOptions with = {threads, options.substeps, false};
     contenders.push_back({fmt::format("Rigor, {} thread{}", threads, threads == 1 ? "" : "s"),
                           [with](std::shared_ptr<const Model> model) {
+                            return make_bulk_world_engine(std::move(model), with);
+                          }});
+  }
+  if (options.has_measures) {
+    const BulkEngineOptions with = {options.threads.front(), options.substeps, true};
+    contenders.push_back({"Rigor, measures", [with](std::shared_ptr<const Model> model) {
                             return make_bulk_world_engine(std::move(model), with);
                           }});
   }
@@ -46,11 +53,12 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
 
 void print_head() {
   fmt::print(
-      "{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>7} {:>7} {:>6} {:>6} | {:>8} {:>7} {:>7} | {:>7} {:>7} "
+      "{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>7} {:>7} {:>6} {:>6} | {:>8} {:>7} {:>7} {:>7} | {:>7} "
+      "{:>7} "
       "{:>12}\n",
       "scene", "bodies", "engine", "CPU ms", "wall ms", "Bullet/", "worst", "end", "mean", ">1 cm", "rms m/s",
-      "across", "down", "joint", "energy", "free");
-  fmt::print("{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>29} | {:>8} {:>15} | {:>7} {:>7} {:>12}\n", "", "",
+      "across", "down", "out", "joint", "energy", "free");
+  fmt::print("{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>29} | {:>8} {:>23} | {:>7} {:>7} {:>12}\n", "", "",
              "", "a step", "a step", "CPU", "overlap [mm], pairs", "", "drift [m]", "[mm]", "[%]", "[%]");
 }
 
@@ -63,16 +71,16 @@ std::string joints_of(const Model& model, const BulkQuality& quality) {
 void print_row(const std::string& scene, const Model& model, const BulkRow& row, double peer_ms) {
   const BulkQuality& quality = row.quality;
   const std::string faster = peer_ms > 0 ? fmt::format("{:.2f}", peer_ms / row.cpu_ms) : "-";
-  const bool is_pile = scene.find("pyr") != std::string::npos || scene == "e_towers";
+  const bool is_pile = begins_standing(scene);
   std::string fate = !quality.is_finite ? "NOT FINITE" : !is_pile ? "" : quality.stands ? "stands" : "fell";
   if (quality.end.lost_bodies > 0) fate += fmt::format(" {} fell out", quality.end.lost_bodies);
   fmt::print(
       "{:<13} {:>6} {:<16} {:>8.3f} {:>8.3f} {:>7} | {:>7.2f} {:>7.2f} {:>6.2f} {:>6} | {:>8.5f} {:>7.4f} "
-      "{:>7.4f} | {} {}\n",
+      "{:>7.4f} {:>7.4f} | {} {}\n",
       scene, model.body_count(), row.engine, row.cpu_ms, row.wall_ms, faster, 1e3 * quality.max_overlap,
       1e3 * quality.end.max_overlap, 1e3 * quality.end.mean_overlap, quality.end.deep_pairs,
-      quality.end.rms_speed, quality.end.drift_across, quality.end.drift_down, joints_of(model, quality),
-      fate);
+      quality.end.rms_speed, quality.end.drift_across, quality.end.drift_down, quality.max_drift_out,
+      joints_of(model, quality), fate);
 }
 
 /// What our last step worked on; the same with any number of threads.
@@ -115,6 +123,7 @@ int main(int argc, char** argv) {
   app.add_option("--sample", options.run.sample_interval, "steps between two looks at the quality")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--exact", options.has_exact, "time stepping with the exact solver too (small scenes)");
+  app.add_flag("--measures", options.has_measures, "ours once more, with the measures of an audit");
   app.add_flag("!--no-peers", options.has_peers, "ours alone");
   app.add_option("--soak", options.soak_seconds, "instead: run each scene for so many seconds of its time")
       ->check(CLI::Range(1.0, 1e6));

@@ -32,7 +32,8 @@ class BulkEngine {
 
 struct BulkEngineOptions {
   int threads = 1;
-  int substeps = 0;  ///< Of a step of the many-body path; 0: as many as it takes by default.
+  int substeps = 0;       ///< Of a step of the many-body path; 0: as many as it takes by default.
+  bool measures = false;  ///< Whether steps report impacts, work and the error of momentum.
 };
 
 /// The many-body path.

@@ -56,8 +56,12 @@ std::vector<BulkRow> run_bulk_scene(std::shared_ptr<const Model> model,
     const int end = is_timed ? options.steps : std::min(options.first_timed, options.steps);
     const int count = std::min(interval, end - step);
     for (Lane& lane : lanes) {
-      take_steps(count, is_timed, lane);
-      if (step + count >= options.first_timed) lane.judge.look(lane.engine->state());
+      // Velocities follow from two looks, a step apart.
+      take_steps(count - 1, is_timed, lane);
+      const bool is_seen = step + count >= options.first_timed;
+      const BulkPoses before = is_seen ? poses_of(lane.engine->state()) : BulkPoses{};
+      take_steps(1, is_timed, lane);
+      if (is_seen) lane.judge.look(before, poses_of(lane.engine->state()));
     }
     step += count;
     if (is_timed) timed += count;

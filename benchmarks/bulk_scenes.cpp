@@ -3,6 +3,7 @@
 #include "bulk_scenes.hpp"
 #include "scene_parts.hpp"
 #include "shape_scenes.hpp"
+#include "wall_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -132,6 +133,71 @@ std::shared_ptr<const Model> make_hulls() {
   return builder.build();
 }
 
+/// Walls of half thickness 1/2 m around the silo and under it, and a floor as far below as the silo is wide.
+void add_hopper(double half_width, double half_opening, double height, ModelBuilder& builder) {
+  const double w = half_width, slope = std::sqrt(0.5) * (w - half_opening);
+  add_fixed("floor", Box{Vec3(10 * w, 1, 10 * w)}, Vec3(0, -2 * w - 1, 0), Quat::Identity(), builder);
+  for (int side = 0; side < 4; ++side) {
+    const Quat turn(Eigen::AngleAxisd(0.5 * M_PI * side, Vec3::UnitY()));
+    const Quat tilt(Eigen::AngleAxisd(0.25 * M_PI, Vec3::UnitZ()));
+    const double middle = 0.5 * (w + half_opening);
+    const Vec3 on_slope(middle, middle - half_opening, 0);
+    const Vec3 p_W = turn * (on_slope - tilt * Vec3(0, 0.5, 0));
+    add_fixed(fmt::format("slope{}", side), Box{Vec3(slope, 0.5, w + 1)}, p_W, turn * tilt, builder);
+    const Vec3 wall(w + 0.5, w - half_opening + 0.5 * height, 0);
+    add_fixed(fmt::format("wall{}", side), Box{Vec3(0.5, 0.5 * height, w + 1)}, turn * wall, turn, builder);
+  }
+}
+
+/// Grains of 0.25 m over the opening of the hopper, nearly touching.
+constexpr double grain_radius = 0.25, grain_pitch = 0.51;
+
+/// Half the widths of a hopper for so many grains, and of its opening.
+struct HopperSize {
+  explicit HopperSize(int grains) : half_width(0.5 * grain_pitch * std::cbrt(grains) + 1) {}
+  double half_width;
+  double half_opening = half_width / 3;
+};
+
+void fill_hopper(int grains, Grain grain, const HopperSize& size, ModelBuilder& builder) {
+  constexpr double radius = grain_radius, pitch = grain_pitch, jitter = 0.004;
+  SceneDraws draws;
+  const std::vector<Convex> hulls = draw_hulls(radius, draws);
+  add_hopper(size.half_width, size.half_opening, 4 * size.half_width, builder);
+  // A grain whose centre is this far from a slope, along x, does not touch it.
+  const double clearance = std::sqrt(2.0) * (radius + jitter);
+  int made = 0;
+  for (int layer = 0; made < grains; ++layer) {
+    const double y = radius + pitch * layer;
+    const double reach = std::min(size.half_opening + y, size.half_width) - clearance;
+    const int n = static_cast<int>(std::floor(2 * reach / pitch)) + 1;
+    for (int cell = 0; cell < n * n && made < grains; ++cell, ++made) {
+      const double x = pitch * (cell % n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
+      const double z = pitch * (cell / n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
+      const bool is_ball = grain == Grain::sphere;
+      const Shape shape =
+          is_ball ? Shape(Sphere{radius}) : Shape(hulls[static_cast<std::size_t>(made) % hulls.size()]);
+      const Quat q_W = is_ball ? Quat::Identity() : draw_rotation(draws);
+      add_body(fmt::format("g{}", made), shape, Vec3(x, y, z), q_W, builder);
+    }
+  }
+}
+
+/// Balls in a hopper, and a pen under its opening into which they run.
+std::shared_ptr<const Model> make_hourglass() {
+  constexpr int balls = 20000;
+  const HopperSize size(balls);
+  ModelBuilder builder = scene_builder("hourglass");
+  const double w = size.half_width;
+  for (int side = 0; side < 4; ++side) {
+    const Quat turn(Eigen::AngleAxisd(0.5 * M_PI * side, Vec3::UnitY()));
+    add_fixed(fmt::format("pen{}", side), Box{Vec3(0.5, w, w + 1)}, turn * Vec3(w + 0.5, -w, 0), turn,
+              builder);
+  }
+  fill_hopper(balls, Grain::sphere, size, builder);
+  return builder.build();
+}
+
 struct NamedScene {
   const char* name;
   std::function<std::shared_ptr<const Model>()> make;
@@ -150,24 +216,13 @@ const std::vector<NamedScene>& bulk_scenes() {
                                                  {"terrain", make_terrain},
                                                  {"cylinders", make_cylinders},
                                                  {"dolls", make_dolls},
-                                                 {"bin", make_bin}};
+                                                 {"bin", make_bin},
+                                                 {"hourglass", make_hourglass},
+                                                 {"wall", [] { return make_wall(0); }},
+                                                 {"wall_1mm", [] { return make_wall(1e-3); }},
+                                                 {"hit_wall", make_hit_wall},
+                                                 {"column200", [] { return make_column(200, 0); }}};
   return scenes;
-}
-
-/// Walls of half thickness 1/2 m around the silo and under it, and a floor as far below as the silo is wide.
-void add_hopper(double half_width, double half_opening, double height, ModelBuilder& builder) {
-  const double w = half_width, slope = std::sqrt(0.5) * (w - half_opening);
-  add_fixed("floor", Box{Vec3(10 * w, 1, 10 * w)}, Vec3(0, -2 * w - 1, 0), Quat::Identity(), builder);
-  for (int side = 0; side < 4; ++side) {
-    const Quat turn(Eigen::AngleAxisd(0.5 * M_PI * side, Vec3::UnitY()));
-    const Quat tilt(Eigen::AngleAxisd(0.25 * M_PI, Vec3::UnitZ()));
-    const double middle = 0.5 * (w + half_opening);
-    const Vec3 on_slope(middle, middle - half_opening, 0);
-    const Vec3 p_W = turn * (on_slope - tilt * Vec3(0, 0.5, 0));
-    add_fixed(fmt::format("slope{}", side), Box{Vec3(slope, 0.5, w + 1)}, p_W, turn * tilt, builder);
-    const Vec3 wall(w + 0.5, w - half_opening + 0.5 * height, 0);
-    add_fixed(fmt::format("wall{}", side), Box{Vec3(0.5, 0.5 * height, w + 1)}, turn * wall, turn, builder);
-  }
 }
 
 }  // namespace
@@ -185,32 +240,16 @@ std::shared_ptr<const Model> make_bulk_scene(const std::string& name) {
   return nullptr;
 }
 
+bool begins_standing(const std::string& name) {
+  const std::array<const char*, 8> standing = {"a_pyr20",  "a2_pyr20gap", "b_pyr100", "b2_pyr100gap",
+                                               "e_towers", "wall",        "wall_1mm", "column200"};
+  return std::find(standing.begin(), standing.end(), name) != standing.end();
+}
+
 std::shared_ptr<const Model> make_hopper(int count, Grain grain) {
-  constexpr double radius = 0.25, pitch = 0.51, jitter = 0.004;
   ModelBuilder builder = scene_builder("hopper");
-  SceneDraws draws;
-  const std::vector<Convex> hulls = draw_hulls(radius, draws);
-  const double half_width = 0.5 * pitch * std::cbrt(count) + 1;
-  const double half_opening = half_width / 3;
-  add_hopper(half_width, half_opening, 4 * half_width, builder);
-  // A grain whose centre is this far from a slope, along x, does not touch it.
-  const double clearance = std::sqrt(2.0) * (radius + jitter);
-  const int grains = count - 9;  // All but the floor, the slopes and the walls.
-  int made = 0;
-  for (int layer = 0; made < grains; ++layer) {
-    const double y = radius + pitch * layer;
-    const double reach = std::min(half_opening + y, half_width) - clearance;
-    const int n = static_cast<int>(std::floor(2 * reach / pitch)) + 1;
-    for (int cell = 0; cell < n * n && made < grains; ++cell, ++made) {
-      const double x = pitch * (cell % n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
-      const double z = pitch * (cell / n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
-      const bool is_ball = grain == Grain::sphere;
-      const Shape shape =
-          is_ball ? Shape(Sphere{radius}) : Shape(hulls[static_cast<std::size_t>(made) % hulls.size()]);
-      const Quat q_W = is_ball ? Quat::Identity() : draw_rotation(draws);
-      add_body(fmt::format("g{}", made), shape, Vec3(x, y, z), q_W, builder);
-    }
-  }
+  // All but the floor, the slopes and the walls.
+  fill_hopper(count - 9, grain, HopperSize(count), builder);
   return builder.build();
 }
 

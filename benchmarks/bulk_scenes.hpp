@@ -15,6 +15,9 @@ std::vector<std::string> bulk_scene_names();
 /// there is none.
 std::shared_ptr<const Model> make_bulk_scene(const std::string& name);
 
+/// Whether the bodies of that scene stand on each other from the start, and should for ever.
+bool begins_standing(const std::string& name);
+
 enum class Grain { sphere, hull };
 /// A scene of so many bodies, > 9: grains of 0.25 m radius that fill a hopper over a floor, nearly touching;
 /// a square silo whose slopes of 45 degrees leave a third of its width open. An InputError if these are more

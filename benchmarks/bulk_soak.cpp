@@ -84,12 +84,15 @@ bool soak(const std::string& scene, double seconds, int substeps) {
   const int rounds = std::max(1, static_cast<int>(std::lround(seconds)));
   double differs_at = -1;
   Held held, tenth, half;
+  BulkPoses before;  // Of the step before the last.
   bool finite = true;
   const double wall = bulk_wall_seconds();
   for (int round = 1; round <= rounds && finite; ++round) {
     std::array<std::uint64_t, 2> hashes{};
     for (std::size_t i = 0; i < 2; ++i) {
-      for (int k = 0; k < 60; ++k) engines[i]->step(1.0 / 60);
+      for (int k = 0; k < 59; ++k) engines[i]->step(1.0 / 60);
+      if (i == 0) before = poses_of(engines[i]->state());
+      engines[i]->step(1.0 / 60);
       const State state = engines[i]->state();
       hashes[i] = state_hash(state);
       finite = finite && VecX::Map(state.x.data(), static_cast<Eigen::Index>(state.x.size())).allFinite() &&
@@ -102,7 +105,7 @@ bool soak(const std::string& scene, double seconds, int substeps) {
     if (round == (rounds + 1) / 2) half = held;
   }
   const State state = engines[0]->state();
-  const BulkFigures figures = bulk_figures(*model, start, state);
+  const BulkFigures figures = bulk_figures(*model, poses_of(start), before, poses_of(state));
   const bool flat = is_flat(half, held);
   fmt::print(
       "{:<13} {:>6.0f} s  finite {:<3}  same bits {:<12}  memory {:.1f}, {:.1f}, {:.1f} MiB flat {:<3} of "

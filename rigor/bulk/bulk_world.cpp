@@ -281,7 +281,8 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
   s.contacts.remember(bodies_, h / settings_.substeps, settings_.substeps, s.executor, memory_);
   s.direct.remember(settings_.substeps, s.contacts.keeps_energy(), memory_);
   s.joints->read_impulses(bodies_, s.joint_impulses);
-  std::tie(report.max_joint_error, report.worst_joint) = s.joints->worst_error(bodies_);
+  if (settings_.measures)
+    std::tie(report.max_joint_error, report.worst_joint) = s.joints->worst_error(bodies_);
   // The State holds angular momenta, from which a fresh world would read the angular velocities.
   s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

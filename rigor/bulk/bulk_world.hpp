@@ -18,7 +18,7 @@ namespace rigor {
 struct BulkSettings {
   int substeps = 6;       ///< >= 1, of equal length.
   int threads = 1;        ///< >= 1. The answer does not depend on it.
-  bool measures = false;  ///< Whether a step reports impacts, work and momentum error.
+  bool measures = false;  ///< Whether a step reports impacts, work, errors of momentum and joints.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
   SleepRules sleep_rules;
 };

@@ -86,7 +86,9 @@ double fastest(const BulkBodies& bodies) {
 
 TEST(BulkBridge, OfPlanksCarriesTenCratesAndComesToRest) {
   const std::shared_ptr<const Model> model = loaded_bridge(40, 10);
-  BulkWorld world(model, {});
+  BulkSettings settings;
+  settings.measures = true;
+  BulkWorld world(model, settings);
   world.read(make_initial_state(*model));
   double lowest = energy_of(*model, world.bodies()), rise = 0, joint_error = 0;
   for (int i = 0; i < 1200; ++i) {

@@ -57,9 +57,8 @@ RIGOR_FLOAT_LANES void correct_places(float h, const FloatLanes& part, JointBloc
 
 /// Step 2 of a substep (docs/theory/bulk_joints.md, section 1).
 RIGOR_FLOAT_LANES void hold_in_lanes(float h, JointBlock& block) {
-  const FloatLanes were_fast = fast_lanes(h, block);
   correct_places(h, float_lanes(1), block);
-  const FloatLanes part = float_max(were_fast, fast_lanes(h, block));
+  const FloatLanes part = lanes_off(h, block);
   if (!is_zero(part)) correct_places(h, part, block);
 }
 

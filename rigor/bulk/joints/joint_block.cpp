@@ -22,18 +22,17 @@ namespace {
 /// A joint at the beginning of a step, in W.
 struct JointStart {
   Vec3 arm_A, arm_B, offset;
-  Quat J = Quat::Identity(), K = Quat::Identity();  ///< Where rows need them.
+  Quat J, K;
 };
-JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies) {
+JointStart start_of(const Joint& joint, const BulkJointBlock::Frames& frames, int lane,
+                    const BulkBodies& bodies) {
   const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
   JointStart start;
   start.arm_A = A.q * joint.X_AF.p;
   start.arm_B = B.q * joint.X_BK.p;
   start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
-  if (needs_frames(joint.type, has_laws)) {
-    start.J = A.q * quaternion_of(joint.X_AF.R);
-    start.K = B.q * quaternion_of(joint.X_BK.R);
-  }
+  start.J = A.q * frames.q_AF[at(lane)];
+  start.K = B.q * frames.q_BK[at(lane)];
   return start;
 }
 
@@ -115,15 +114,31 @@ void place_axes(const BulkBodies& bodies, JointBlock& block) {
   }
 }
 
+/// Of joints whose rows need them.
+std::vector<BulkJointBlock::Frames> frames_of(const Model& model, const JointSystems& systems) {
+  std::vector<BulkJointBlock::Frames> frames(systems.links.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const JointLink& link = systems.links[i];
+    frames[i].q_AF.fill(Quat::Identity());
+    frames[i].q_BK.fill(Quat::Identity());
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      if (link.joints[lane] < 0 || !needs_frames(link.type, link.has_laws)) continue;
+      frames[i].q_AF[lane] = quaternion_of(model.joint(link.joints[lane]).X_AF.R);
+      frames[i].q_BK[lane] = quaternion_of(model.joint(link.joints[lane]).X_BK.R);
+    }
+  }
+  return frames;
+}
+
 /// Arms and frames of all joints at the beginning of the step; no law is on.
-void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& block) {
+void place_joints(const Model& model, const BulkBodies& bodies,
+                  const std::vector<BulkJointBlock::Frames>& frames, JointBlock& block) {
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
     JointLanes& joint = block.joints[i];
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int index = block.systems.links[i].joints[at(lane)];
       if (index >= 0) {
-        set_lane(model.joint(index), start_of(model.joint(index), block.systems.links[i].has_laws, bodies),
-                 lane, joint);
+        set_lane(model.joint(index), start_of(model.joint(index), frames[i], lane, bodies), lane, joint);
       } else {
         joint.J.w[lane] = joint.K.w[lane] = 1;
       }
@@ -161,8 +176,12 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
     block.lanes.loops = std::make_unique<LoopSolver>(systems);
   } else {
     block.lanes.balls.resize(systems.links.size(), BallLanes{});
+    const bool has_hinges = std::any_of(systems.links.begin(), systems.links.end(),
+                                        [](const JointLink& link) { return link.is_hinge(); });
+    if (has_hinges) block.lanes.hinges.resize(systems.links.size(), HingeLanes{});
   }
   block.records.resize(systems.bodies.size());
+  block.frames = frames_of(model, systems);
 
   // Joints with laws, and the rows of their coordinates.
   block.lanes.is_of_balls = !systems.has_loops;
@@ -192,7 +211,7 @@ void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJoin
   find_records(bodies, block);
   if (!block.is_moving) return;
   place_axes(bodies, block.lanes);
-  place_joints(effort.model, bodies, block.lanes);
+  place_joints(effort.model, bodies, block.frames, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
   run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
   for (BulkJointBlock::Law& law : block.laws) {
@@ -200,6 +219,7 @@ void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJoin
     law.pieces = {};
     law.factored_on.fill(0);
     law.factored_softness.fill(1);
+    law.last_impulse.fill(0);
   }
 }
 

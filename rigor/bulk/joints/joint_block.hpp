@@ -22,7 +22,12 @@ BodyPlace place_of(const BulkBodies& bodies, int body);
 struct BulkJointBlock {
   JointBlock lanes;
   std::vector<JointRecords> records;
-  alignas(64) std::array<float, 16> nothing{};                        ///< The world.
+  /// Orientations of the joint's frames on its bodies.
+  struct Frames {
+    std::array<Quat, kLaneCount> q_AF, q_BK;
+  };
+  std::vector<Frames> frames;                   ///< Of each link; only of those whose rows need them.
+  alignas(64) std::array<float, 16> nothing{};  ///< The world.
   alignas(64) std::array<std::array<float, 16>, kLaneCount> empty{};  ///< Of lanes whose bodies do not move.
   struct alignas(32) Velocities {
     FloatVec3 v, w;
@@ -34,7 +39,8 @@ struct BulkJointBlock {
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
     std::array<LawPiece, kLaneCount> pieces{};
-    LaneArray rate{};  ///< At the beginning of the substep.
+    LaneArray rate{};                       ///< At the beginning of the substep.
+    LaneArray last_rate{}, last_impulse{};  ///< At the end of the last solve before the displacements.
     /// Limits of lanes where nothing else acts; infinite where nothing does, NaN where more does.
     std::array<double, kLaneCount> lower, upper;
     bool is_off = false;                           ///< Whether no lane has an impulse, and the rows say so.

@@ -29,11 +29,37 @@ void keep_velocities(Block& block) {
   }
 }
 
-/// Rates from which the laws of a substep begin.
+/// Rates from which the laws of a substep begin. The first guess of what acts is what acted at the end of the
+/// last solve; where nothing did, what the rates before this one say.
 void begin_laws(Block& block) {
   for (Block::Law& law : block.laws) {
-    law.rate = read_lanes(block.lanes.joints[at(law.link)].rate[law.row]);
+    JointLanes& joint = block.lanes.joints[at(law.link)];
+    law.rate = read_lanes(joint.rate[law.row]);
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      if (law.last_impulse[at(lane)] == 0) continue;
+      joint.rate[law.row][lane] = law.last_rate[at(lane)];
+      joint.impulse[law.row][lane] = law.last_impulse[at(lane)];
+    }
   }
+}
+
+/// Notes what has acted.
+void end_laws(Block& block) {
+  for (Block::Law& law : block.laws) {
+    const JointLanes& joint = block.lanes.joints[at(law.link)];
+    law.last_rate = read_lanes(joint.rate[law.row]);
+    law.last_impulse = read_lanes(joint.impulse[law.row]);
+  }
+}
+
+/// Whether a limit alone acts on the coordinate, and will not be reached: there is no impulse.
+bool is_between(const Block::Law& law, const JointLanes& joint, int lane, double h) {
+  // Where the coordinate would be at the end of the substep. (Comparisons with NaN are false.)
+  const double rate =
+      static_cast<double>(joint.rate[law.row][lane]) -
+      static_cast<double>(joint.mobility[law.row][lane]) * static_cast<double>(joint.impulse[law.row][lane]);
+  const double next = static_cast<double>(joint.coordinate[law.row][lane]) + h * rate;
+  return law.lower[at(lane)] < next && next < law.upper[at(lane)];
 }
 
 /// The piece of a law in which the coordinate is; nothing of empty lanes.
@@ -42,7 +68,7 @@ LawPiece find_piece(const Model& model, const Block& block, const Block::Law& la
   const JointLanes& lanes = block.lanes.joints[at(law.link)];
   const int index = link.joints[at(lane)];
   // Empty lanes and coordinates without a law.
-  if (index < 0) return {};
+  if (index < 0 || is_between(law, lanes, lane, h)) return {};
   if (std::max(law.axis, 0) >= static_cast<int>(model.joint(index).axes.size())) return {};
 
   // The damper of a ball joint across its axis: a soft row.
@@ -65,16 +91,9 @@ bool is_same(const LawPiece& a, const LawPiece& b) {
 /// Whether no lane has an impulse: between two limits there is none, and most coordinates are there.
 bool is_free(const Block& block, const Block::Law& law, double h) {
   const JointLanes& lanes = block.lanes.joints[at(law.link)];
-  bool is_between = true;
-  for (int lane = 0; lane < kLaneCount; ++lane) {
-    // Where the coordinate would be at the end of the substep. (Comparisons with NaN are false.)
-    const double rate = static_cast<double>(lanes.rate[law.row][lane]) -
-                        static_cast<double>(lanes.mobility[law.row][lane]) *
-                            static_cast<double>(lanes.impulse[law.row][lane]);
-    const double next = static_cast<double>(lanes.coordinate[law.row][lane]) + h * rate;
-    is_between = is_between && law.lower[at(lane)] < next && next < law.upper[at(lane)];
-  }
-  return is_between;
+  bool is_free = true;
+  for (int lane = 0; lane < kLaneCount; ++lane) is_free = is_free && is_between(law, lanes, lane, h);
+  return is_free;
 }
 
 /// Writes the pieces of a law into its row: held on jumps, soft on rising pieces, a given impulse on level
@@ -200,11 +219,9 @@ void correct(float h, LaneTarget target, Block& block) {
     run_stage(JointStage::drift, h, target, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }
-  // What has rotated fast before a limit stopped it needs the second one as well.
-  const FloatLanes were_fast = fast_lanes(h, block.lanes);
   for (int k = 0; k < kCorrections; ++k) {
     const bool is_short = k > 0 && !block.lanes.loops;
-    const FloatLanes part = is_short ? float_max(were_fast, fast_lanes(h, block.lanes)) : float_lanes(1);
+    const FloatLanes part = is_short ? lanes_off(h, block.lanes) : float_lanes(1);
     if (is_zero(part)) break;
     run_stage(JointStage::miss, h, target, block.lanes);
     if (is_short) leave_out(part, block.lanes);
@@ -232,6 +249,7 @@ void solve_laws(const JointEffort& effort, Block& block) {
     run_stage(JointStage::rates, h, target, block.lanes);
     if (k + 1 < kPieceChanges && !choose_pieces(model, h, block)) break;
   }
+  end_laws(block);
 }
 
 }  // namespace

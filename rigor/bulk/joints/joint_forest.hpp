@@ -20,6 +20,7 @@ struct JointLink {
   int parent = 0;               ///< Its slot.
 
   bool is_plain_ball() const { return has_joint && type == JointType::ball && !has_laws; }
+  bool is_hinge() const { return has_joint && type == JointType::hinge; }
 };
 
 /// A gear between the first coordinates of two joints.

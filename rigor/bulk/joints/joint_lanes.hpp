@@ -76,6 +76,25 @@ struct alignas(32) BallLanes {
       pull;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
 };
 
+/// What a body and all that hangs on it resist at an anchor, to its velocity u and to ω: (M, H; Hᵀ, J).
+struct AnchorResistance {
+  FloatSym3 M, J;
+  FloatVec3 H[3];  ///< Rows.
+};
+
+/// A hinge in a tree in lanes, on its way from the child up (docs/theory/bulk_joints.md, §2).
+struct alignas(32) HingeLanes {
+  FloatVec3 arm_child, arm_parent, axis;  ///< Arms from the centres to the anchor [m].
+  AnchorResistance all;                   ///< Of the child.
+  FloatVec3 axis_force, axis_torque;      ///< What it resists to a rotation about the axis.
+  FloatLanes follows, yields;  ///< How far that rotation is what is wanted, and gives way to a torque.
+  // Changes of the child against the parent that are wanted, and the push that these leave.
+  FloatVec3 wanted_u, wanted_w;
+  FloatLanes wanted_turn;
+  FloatVec3 force, torque;
+  FloatLanes about_axis;  ///< The torque about it.
+};
+
 /// Gears in lanes.
 struct GearLanes {
   std::array<double, kLaneCount> ratio{};
@@ -91,6 +110,7 @@ struct JointBlock {
   std::vector<JointSlot> slots;
   std::vector<JointLanes> joints;  ///< Of each link.
   std::vector<BallLanes> balls;    ///< Of each link of a tree.
+  std::vector<HingeLanes> hinges;  ///< Likewise, if there are any.
   std::vector<GearLanes> gears;
   std::unique_ptr<LoopSolver> loops;  ///< Of systems that are no trees.
   bool has_laws = false;
@@ -139,16 +159,21 @@ constexpr int row_count(const JointLink& link) {
   return held_row_count(link.type, link.has_laws) + law_row_count(link.type, link.has_laws);
 }
 
-/// Bodies that rotate by less in a substep [rad] need one correction: it leaves this part of its own size,
-/// which is that of the change by a substep's accelerations.
-constexpr float kSmallAngle = 0.01F;
+/// A correction leaves of places this part of the arms [rad²] at most, or another one is made.
+constexpr float kSmallMiss = 1e-4F;
 
-/// 1 in lanes with a body that rotates by more than kSmallAngle in a substep, else 0.
-RIGOR_FLOAT_LANES FloatLanes fast_lanes(float h, const JointBlock& block) {
-  FloatLanes fastest = float_lanes(0);
-  for (const JointSlot& slot : block.slots) fastest = float_max(fastest, dot(slot.w, slot.w));
-  const FloatLanes most = float_lanes(kSmallAngle * kSmallAngle / (h * h));
-  return fastest > most ? float_lanes(1) : float_lanes(0);
+/// 1 in lanes in which the last solve has left more: it changes ω by Δω as if arms did not rotate meanwhile,
+/// and is off by h² |ω| |Δω| of them. What it has stopped had rotated. Else 0.
+RIGOR_FLOAT_LANES FloatLanes lanes_off(float h, const JointBlock& block) {
+  FloatLanes most = float_lanes(0);
+  for (std::size_t s = 0; s < block.systems.moved; ++s) {
+    const JointSlot& slot = block.slots[s];
+    const FloatVec3 change{slot.change[3], slot.change[4], slot.change[5]}, before = slot.w - change;
+    const FloatLanes spin = float_max(dot(slot.w, slot.w), dot(before, before));
+    most = float_max(most, spin * dot(change, change));
+  }
+  const float least = kSmallMiss / (h * h);
+  return most > float_lanes(least * least) ? float_lanes(1) : float_lanes(0);
 }
 
 RIGOR_FLOAT_LANES bool is_zero(const FloatLanes& x) {

@@ -34,9 +34,10 @@ void run_stage(JointStage stage, float h, LaneTarget target, JointBlock& block) 
   if (stage == JointStage::miss) set_gear_misses(h, block);
   if (stage == JointStage::drift) set_gear_drifts(block);
   if (block.loops && stage == JointStage::factor) block.loops->factor(block);
-  if (block.loops && stage == JointStage::solve) block.loops->solve(block);
-
-  if (stage == JointStage::solve) add_changes(block);
+  if (block.loops && stage == JointStage::solve) {
+    block.loops->solve(block);
+    add_changes(block);
+  }
 }
 
 }  // namespace rigor

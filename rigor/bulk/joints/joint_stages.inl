@@ -57,6 +57,11 @@ inline void run_rows(JointStage stage, JointSize count, std::size_t i, JointBloc
   JointLanes& joint = block.joints[i];
   JointSlot& child = block.slots[i];
   JointSlot& parent = block.slots[at(link.parent)];
+  if (link.is_hinge()) {
+    if (stage == JointStage::factor) factor_hinge(link, child, parent, joint, block.hinges[i]);
+    if (stage == JointStage::solve) gather_hinge(link, child, parent, joint, block.hinges[i]);
+    return;
+  }
   if (stage == JointStage::factor) factor_joint(link, count, child, parent, joint);
   if (stage == JointStage::solve) gather_push(link, count.rows, child, parent, joint);
 }
@@ -125,6 +130,8 @@ inline void spread(std::size_t i, JointBlock& block) {
     spread_root(joint, child);
   } else if (link.is_plain_ball()) {
     spread_ball(link, parent, child, joint, block.balls[i]);
+  } else if (link.is_hinge()) {
+    spread_hinge(link, parent, child, joint, block.hinges[i]);
   } else {
     spread_change(link, acting_rows(link, joint), parent, child, joint);
   }
@@ -147,6 +154,9 @@ void run_stage_in_lanes(JointStage stage, float h, JointBlock& block) {
   }
   if (stage == JointStage::miss) block.gives = false;
   if (stage == JointStage::solve && !block.loops) {
-    for (std::size_t i = count; i-- > 0;) spread(i, block);
+    for (std::size_t i = count; i-- > 0;) {
+      spread(i, block);
+      add_change(block.slots[i]);
+    }
   }
 }

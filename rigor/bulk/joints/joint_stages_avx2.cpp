@@ -3,6 +3,7 @@
 #include "rigor/bulk/joints/joint_aims.hpp"
 #include "rigor/bulk/joints/joint_balls.hpp"
 #include "rigor/bulk/joints/joint_factors.hpp"
+#include "rigor/bulk/joints/joint_hinges.hpp"
 #include "rigor/bulk/joints/joint_stage_kernels.hpp"
 #include "rigor/bulk/joints/joint_stage_steps.hpp"
 #include "rigor/core/index.hpp"

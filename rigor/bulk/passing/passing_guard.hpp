@@ -12,6 +12,7 @@
 #include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/model/model.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -77,6 +78,8 @@ class PassingGuard {
     double ball_inside = -1;  ///< Radius of the ball inside that a surface cannot lose [m]; -1: a surface.
     double ball_offset = 0;   ///< Of that ball's centre from the body's [m].
     double turning = 0;       ///< How far from the body's centre rotation moves points [m].
+    /// How deep a point may be inside where it is thick, as hulls are in their middle, however pointed [m].
+    double depth() const { return std::max(thickness, ball_inside); }
   };
   void find_groups();
   void add_body(int body, std::optional<FloatHulls>& hulls);

@@ -61,25 +61,29 @@ void PassingGuard::mark_bent(const BulkBodies& bodies, const std::vector<ShapePa
 double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies,
                                     double h) const {
   const int driver = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
-  const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B),
-               th_other = is_A ? th_B : th_A;
+  // A hull that is pushed has the ball inside it, however pointed it is.
+  const double depth = is_A ? facts(other, pair.shape_B).depth() : facts(other, pair.shape_A).depth(),
+               of_driver = is_A ? thickness(driver, pair.shape_A) : thickness(driver, pair.shape_B);
   const MotionRecord &m = bodies.motion[at(driver)], &of_other = bodies.motion[at(other)];
   const Vec3 v = vector_of(m.v) - vector_of(of_other.v), w = vector_of(m.w);
   const double spin = w.norm(), turning = turning_[at(other)],
                own_spin = turning > 0 ? norm_of(of_other.w) : 0;
 
-  // A driven body that goes little is left to contacts, as one at rest is.
-  const double thin = thinner(pair);
-  if (!((norm_of(m.v) + turning_[at(driver)] * spin) * h > near_share * thin)) return h;
+  // A driven body that goes little where it may meet the other is left to contacts, as one at rest is.
+  const double thin = std::max(thinner(pair), std::min(depth, of_driver)),
+               arm = model_->body(other).bounding_radius;
+  const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
+  const double around = arm + norm_of(of_other.v) * h,
+               there = (vector_of(m.v) + w.cross(r)).norm() + spin * around,
+               anywhere = norm_of(m.v) + turning_[at(driver)] * spin;
+  if (!(std::min(there, anywhere) * h > near_share * thin)) return h;
   const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
 
   // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
   // that turn by θ about an arm leave their places by arm θ²/2.
-  const double arm = model_->body(other).bounding_radius;
-  const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
   double near = kInfinity;
-  if (std::isfinite(th_other))
-    near = near_share * th_other / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
+  if (std::isfinite(depth))
+    near = near_share * depth / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
   if (std::isfinite(arm) && arm > 0) {
     const double turn = std::sqrt(2 * touching_share * thin / arm);
     near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
