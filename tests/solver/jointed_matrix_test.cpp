@@ -20,7 +20,9 @@ using scenes::JointedScene;
 /// them in loops, with contacts of single points on the floor and between any two.
 JointedScene random_tree(int bodies, bool with_loops, test::Random& random) {
   JointedScene scene;
-  const auto axis = [&] { return random.uniform(-1, 1) < 0 ? Vec3(0, 0, 0) : Vec3(random.vector().normalized()); };
+  const auto axis = [&] {
+    return random.uniform(-1, 1) < 0 ? Vec3(0, 0, 0) : Vec3(random.vector().normalized());
+  };
   for (int i = 0; i < bodies; ++i) {
     const double mass = std::pow(10, random.uniform(0, 2));
     scene.bodies.push_back(
