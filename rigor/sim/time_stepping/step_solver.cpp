@@ -192,12 +192,9 @@ StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws&
   return solve_cones(system, laws);
 }
 
-/// Motion space has rows of bodies alone: what works through joints, stops and springs is solved in contact
-/// space.
+/// Springs are eliminated in contact space. All else is sparse: motion space.
 StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws& laws) const {
   // Springs are eliminated first.
-  const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
-                                     [](const Contact& contact) { return contact.stop.has_value(); });
   CoulombProblem problem = laws.contacts;
   if (laws.springs) {
     const SpringResponse response(motion_rows(system), problem.b, *laws.springs, system);
@@ -208,10 +205,15 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     return impulses;
   }
 
-  // Rows of bodies alone: sparse; else by the Delassus operator.
-  const bool is_sparse = !system.joints && !has_stops;
-  if (cone_ == ConeMethod::convex && is_sparse)
+  // By sparse rows, else by the Delassus operator: few contacts of jointed bodies are solved more exactly
+  // there, one of them in closed form.
+  constexpr std::size_t few = 4;
+  const bool has_joints =
+      system.joints || std::any_of(system.contacts.begin(), system.contacts.end(),
+                                   [](const Contact& contact) { return contact.stop.has_value(); });
+  if (cone_ == ConeMethod::convex && !has_joints)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
+  const bool is_sparse = !has_joints || system.contacts.size() > few;
   if (cone_ == ConeMethod::exact && resting_.space == RestingSpace::motion && is_sparse) {
     if (std::optional<CoulombSolution> solution = solve_in_motion_space(
             MotionProblem{motion_rows(system), problem}, {}, options_for(laws.resolution)))

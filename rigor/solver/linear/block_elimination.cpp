@@ -39,7 +39,12 @@ std::vector<int> places_of_little_fill(std::size_t nodes, const std::vector<std:
 }  // namespace
 
 EliminationPattern::EliminationPattern(std::size_t nodes, const std::vector<std::pair<int, int>>& pairs)
-    : place_(places_of_little_fill(nodes, pairs)), begin_(nodes + 1, 0), first_changed_(nodes, 0) {
+    : EliminationPattern(places_of_little_fill(nodes, pairs), pairs) {}
+
+EliminationPattern::EliminationPattern(std::vector<int> places, const std::vector<std::pair<int, int>>& pairs)
+    : place_(std::move(places)), begin_(place_.size() + 1, 0), first_changed_(place_.size(), 0) {
+  const std::size_t nodes = place_.size();
+
   // Later places that are coupled to each place from the beginning.
   std::vector<std::vector<std::size_t>> later(nodes);
   for (const auto& [a, b] : pairs) {
@@ -141,6 +146,7 @@ bool BlockElimination::factor(const VecX& scales) {
 
 bool BlockElimination::factor() {
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
+    if (!holds_.empty() && holds_[place].is_held) substitute_hold(place);
     if (!factor_pivot(blocks_[place], swaps_[place])) return false;
     eliminate(place);
   }
@@ -213,6 +219,65 @@ void BlockElimination::solve_pivot(const Block6& LU, const Swaps& swapped, Vec6&
   }
 }
 
+void BlockElimination::hold(int node, const NodeHold& hold) {
+  holds_.resize(pattern_.node_count());
+  const std::size_t place = at(pattern_.place(node));
+  PlaceHold& held = holds_[place];
+  held = {true, place, {}, hold.V, hold.T};
+  if (!hold.parent) return;
+  held.parent = at(pattern_.place(*hold.parent));
+  for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
+    const std::size_t other = pattern_.second(i);
+    if (other == held.parent) continue;
+    const auto [first, second] = std::minmax(other, held.parent);
+    held.rows.push_back(pattern_.pair(static_cast<int>(first), static_cast<int>(second)));
+  }
+}
+
+/// The equations and unknowns of the place become those of its y; what T takes of them goes to its parent.
+void BlockElimination::substitute_hold(std::size_t place) {
+  const PlaceHold& hold = holds_[place];
+  Block6* const upper = blocks_.data() + pattern_.node_count();
+  Block6* const lower = blocks_.data() + first_lower();
+  if (hangs_on_node(place)) move_to_parent(place);
+  Block6& own = blocks_[place];
+  own = Block6(hold.V.transpose().lazyProduct(Block6(own.lazyProduct(hold.V))));
+  // Columns of V that are zero stand for unknowns that are not there: y = 0.
+  for (int k = 0; k < 6; ++k)
+    if (hold.V.col(k).isZero(0)) own(k, k) = 1;
+  for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
+    upper[i] = Block6(hold.V.transpose().lazyProduct(upper[i]));
+    lower[i] = Block6(lower[i].lazyProduct(hold.V));
+  }
+}
+
+/// With x = V y + T x_p for place c: A_pp += Tᵀ A_cc T + Tᵀ A_cp + A_pc T, for other places k A_pk += Tᵀ A_ck
+/// and A_kp += A_kc T, and A_cp and A_pc become A_cp + A_cc T and A_pc + Tᵀ A_cc.
+void BlockElimination::move_to_parent(std::size_t place) {
+  const PlaceHold& hold = holds_[place];
+  Block6* const upper = blocks_.data() + pattern_.node_count();
+  Block6* const lower = blocks_.data() + first_lower();
+  const Block6& own = blocks_[place];
+  const Block6 T_T = hold.T.transpose();
+  auto row = hold.rows.begin();
+  for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
+    const std::size_t other = pattern_.second(i);
+    if (other == hold.parent) {
+      Block6& of_parent = blocks_[hold.parent];
+      of_parent += T_T.lazyProduct(upper[i]);
+      upper[i] += own.lazyProduct(hold.T);
+      lower[i] += T_T.lazyProduct(own);
+      // (A_pc + Tᵀ A_cc) T has the two terms that are left.
+      of_parent += lower[i].lazyProduct(hold.T);
+      continue;
+    }
+    const bool is_after = other > hold.parent;
+    (is_after ? upper : lower)[*row] += T_T.lazyProduct(upper[i]);
+    (is_after ? lower : upper)[*row] += lower[i].lazyProduct(hold.T);
+    ++row;
+  }
+}
+
 // A_ik ← A_ik - A_ip A_pp⁻¹ A_pk for all later i and k.
 void BlockElimination::eliminate(std::size_t place) {
   Block6* const upper = blocks_.data() + pattern_.node_count();
@@ -245,13 +310,21 @@ VecX BlockElimination::solve(const VecX& c) const {
 
   // Forward with L, back with U.
   for (std::size_t place = 0; place < x.size(); ++place) {
+    if (!holds_.empty() && holds_[place].is_held) {
+      if (hangs_on_node(place)) x[holds_[place].parent] += holds_[place].T.transpose() * x[place];
+      x[place] = Vec6(holds_[place].V.transpose() * x[place]);
+    }
     solve_pivot(blocks_[place], swaps_[place], x[place]);
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
       x[pattern_.second(i)].noalias() -= lower[i] * x[place];
   }
-  for (std::size_t place = x.size(); place-- > 0;)
+  for (std::size_t place = x.size(); place-- > 0;) {
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
       x[place].noalias() -= upper[i] * x[pattern_.second(i)];
+    if (holds_.empty() || !holds_[place].is_held) continue;
+    x[place] = Vec6(holds_[place].V * x[place]);
+    if (hangs_on_node(place)) x[place] += holds_[place].T * x[holds_[place].parent];
+  }
 
   for (std::size_t place = 0; place < scales_.size(); ++place)
     x[place] = scales_[place].cwiseProduct(x[place]);

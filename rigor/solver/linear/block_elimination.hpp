@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,8 @@ class EliminationPattern {
  public:
   /// Pairs of different nodes below `nodes`, in any order, as often as they occur.
   EliminationPattern(std::size_t nodes, const std::vector<std::pair<int, int>>& pairs);
+  /// The same in another order: the place of each node.
+  EliminationPattern(std::vector<int> places, const std::vector<std::pair<int, int>>& pairs);
 
   std::size_t node_count() const { return place_.size(); }
   std::size_t pair_count() const { return later_.size(); }
@@ -42,15 +45,29 @@ class EliminationPattern {
 /// A 6 × 6 block by rows: what elimination does to it, it does to whole rows.
 using Block6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
+/// How a node hangs on another one that is eliminated later, or on the ground: of its unknowns x = V y + T
+/// x_parent only y (as many as V has columns that are not zero, the first ones) are free.
+struct NodeHold {
+  std::optional<int> parent;  ///< A node that is paired with it; none: the ground.
+  Block6 V = Block6::Zero(), T = Block6::Zero();
+};
+
 /// Gaussian elimination of a matrix of 6 × 6 blocks, a block wherever two nodes are coupled, with
 /// pivots within each node's own block. That is stable for matrices whose symmetric part is positive
 /// definite, such as masses with contacts that give way; of others `is_regular` tells whether the pivots
 /// were nonzero, and the caller refines. One elimination serves many matrices, one after the other.
+///
+/// Where nodes hang on others, of the x that this allows the one is found that solves A x = c but for what
+/// holds the nodes: Wᵀ A W y = Wᵀ c, x = W y, with the base W of what is allowed. W is not formed. A node's
+/// x = V y + T x_parent is put into the matrix when its turn comes, which adds no block to those that its
+/// elimination has anyway.
 class BlockElimination {
  public:
   /// Holds a reference to the pattern. All blocks are zero.
   BlockElimination(const EliminationPattern& pattern, bool is_symmetric);
 
+  /// Holds a node in all matrices from now on; none of them is to be symmetric.
+  void hold(int node, const NodeHold& hold);
   /// Begins with another matrix: all blocks are zero again.
   void restart(bool is_symmetric);
   /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
@@ -78,7 +95,17 @@ class BlockElimination {
   static bool factor_pivot(Block6& A, Swaps& swapped);
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Block6& X);
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Vec6& x);
+  /// A hold by places.
+  struct PlaceHold {
+    bool is_held = false;
+    std::size_t parent = 0;         ///< Place; its own: the ground.
+    std::vector<std::size_t> rows;  ///< Pairs of the parent with the other later places, in their order.
+    Block6 V, T;
+  };
+  bool hangs_on_node(std::size_t place) const { return holds_[place].parent != place; }
   void scale();
+  void substitute_hold(std::size_t place);
+  void move_to_parent(std::size_t place);
   void eliminate(std::size_t place);
 
   const EliminationPattern& pattern_;
@@ -86,7 +113,8 @@ class BlockElimination {
   std::vector<Vec6> scales_;  ///< One a place; none: 1.
   std::vector<Block6> blocks_;  ///< By slot. Above the diagonal A_pk, once p is eliminated A_pp⁻¹ A_pk; below
                                 ///< it A_kp, of symmetric matrices from when p is eliminated.
-  std::vector<Swaps> swaps_;  ///< By place.
+  std::vector<Swaps> swaps_;      ///< By place.
+  std::vector<PlaceHold> holds_;  ///< By place; none: no node is held.
 };
 
 }  // namespace rigor

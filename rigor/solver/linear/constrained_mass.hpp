@@ -49,7 +49,12 @@ class ConstrainedMass {
   /// Columns N: a base of the motions that the links allow (6 nodes × their number), G N = 0 and Nᵀ M N = 1.
   MatX motions() const;
 
+  /// For each node the response a of its own velocities to its own forces: its block of the matrix that
+  /// `solve` multiplies with. Empty where rows close loops.
+  std::vector<Mat6> own_responses() const;
+
   const ConstraintGraph& graph() const { return graph_; }
+  const SpanningForest& forest() const { return forest_; }
   /// Coefficients of a link's rows on the k-th of its nodes; unused rows are 0.
   Mat6 block(int link, std::size_t k) const { return wrenches(link, k).transpose(); }
   int row_count() const { return row_count_; }

@@ -55,6 +55,30 @@ MatX ConstrainedMass::motions_of_trees() const {
   return N;
 }
 
+// Down the trees: a = K_Yᵀ (1 - Wᵀ W) K_Y f + T a_parent with T = -K_Yᵀ Wᵀ Z, and what a node's parent does
+// in response to f is Tᵀ f on the parent.
+std::vector<Mat6> ConstrainedMass::own_responses() const {
+  std::vector<Mat6> result;
+  if (S_.size() > 0) return result;
+  result.resize(masses_.size());
+  for (std::size_t place = 0; place < pivots_.size(); ++place) {
+    const SpanningForest::Node& node = forest_.nodes[place];
+    const Pivot& pivot = pivots_[place];
+    Mat6& response = result[at(node.node)];
+    if (node.link < 0) {
+      response = pivot.K_Y.transpose() * pivot.K_Y;
+      continue;
+    }
+    const auto W_T = pivot.W_T.leftCols(pivot.rows);
+    const Mat6 free = pivot.K_Y - W_T * (W_T.transpose() * pivot.K_Y);
+    response = free.transpose() * free;
+    if (node.parent < 0) continue;
+    const Mat6 T = -pivot.K_Y.transpose() * (W_T * pivot.Z_T.leftCols(pivot.rows).transpose());
+    response += T * result[at(forest_.nodes[at(node.parent)].node)] * T.transpose();
+  }
+  return result;
+}
+
 MatX ConstrainedMass::loop_rates(const MatX& velocities) const {
   MatX rates(static_cast<Eigen::Index>(dense_.pivots().size()), velocities.cols());
   Eigen::Index next = 0;

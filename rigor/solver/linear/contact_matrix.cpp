@@ -31,11 +31,11 @@ VecX unknown_scales(const ContactRows& rows) {
   return scales;
 }
 
-ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern)
+ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern, double mass_factor)
     : pattern_(pattern), blocks_(pattern, false), scales_(unknown_scales(rows)) {
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const auto S = scales_.segment<6>(6 * static_cast<Index>(k)).asDiagonal();
-    masses_.push_back(S * rows.masses[k] * S);
+    masses_.push_back(S * (mass_factor * rows.masses[k]) * S);
   }
   for (const ContactRows::Sides& sides : rows.contacts) add_sides(sides);
   first_.push_back(rows_.size());

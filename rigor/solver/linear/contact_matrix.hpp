@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// The matrices M + Σ_i J_iᵀ D_i J_i of contacts without joints, for many D on the same rows, as Newton's
+/// The matrices ε M + Σ_i J_iᵀ D_i J_i of contacts without joints, for many D on the same rows, as Newton's
 /// method has them: what does not depend on D is prepared once, and no step allocates.
 ///
 /// Contacts of one pair of bodies A, B whose force acts on both at one point have J_B = -J_A X with one X
@@ -18,8 +18,12 @@ namespace rigor {
 class ContactMatrix {
  public:
   /// Holds a reference to the pattern, which is that of the rows.
-  ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern);
+  ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern, double mass_factor = 1);
 
+  /// Holds a node in all matrices (BlockElimination::hold), in unknowns that are scaled. None of them is to
+  /// be symmetric.
+  void hold(int node, const NodeHold& hold) { blocks_.hold(node, hold); }
+  const VecX& scales() const { return scales_; }
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);
   /// x with (M + Σ Jᵀ D J) x = c, after `factor`.

@@ -52,19 +52,20 @@ VecX FactoredMotion::solve(const VecX& g) const {
 }
 
 SparseMotion::SparseMotion(const ContactRows& rows)
-    : rows_(rows), pattern_(elimination_pattern(rows)), diagonal_(contact_diagonal(rows)) {
-  if (!rows.joints) matrix_.emplace(rows_, pattern_);
-}
+    : rows_(rows),
+      pattern_(elimination_pattern(rows)),
+      diagonal_(contact_diagonal(rows)),
+      matrix_(rows_, pattern_) {}
 
 void SparseMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
-  if (matrix_)
-    matrix_->factor(D, symmetry == Symmetry::positive);
+  if (matrix_.is_possible())
+    matrix_.factor(D, symmetry == Symmetry::positive);
   else
     held_.emplace(NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive));
 }
 
 VecX SparseMotion::solve(const VecX& g) const {
-  return matrix_ ? matrix_->solve(g) : held_->solve(g);
+  return matrix_.is_possible() ? matrix_.solve(g) : held_->solve(g);
 }
 
 VecX effective_masses(const VecX& diagonal) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/solver/linear/contact_matrix.hpp"
 #include "rigor/solver/linear/contact_rows.hpp"
+#include "rigor/solver/linear/jointed_matrix.hpp"
 #include "rigor/solver/linear/node_system.hpp"
 
 #include <optional>
@@ -91,8 +91,8 @@ class SparseMotion : public ContactMotion {
   const ContactRows& rows_;
   EliminationPattern pattern_;
   VecX diagonal_;
-  mutable std::optional<ContactMatrix> matrix_;  ///< Of the Newton steps;
-  mutable std::optional<NodeSystem> held_;       ///< with joints.
+  mutable JointedMatrix matrix_;            ///< Of the Newton steps;
+  mutable std::optional<NodeSystem> held_;  ///< where that is not possible.
 };
 
 /// 1 / mean diagonal of A of each contact (n, [kg] where A is in [1/kg]); a contact whose block vanishes

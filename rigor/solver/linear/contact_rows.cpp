@@ -153,19 +153,37 @@ MatX contact_response(const ContactRows& rows) {
 VecX contact_diagonal(const ContactRows& rows) {
   VecX diagonal = free_diagonal(rows);
   if (!rows.joints) return diagonal;
-  std::vector<bool> is_held(rows.node_count(), false);
-  for (const int node : rows.joint_nodes) is_held[at(node)] = true;
+  const std::vector<Mat6> own = rows.joints->own_responses();
+  std::vector<int> held(rows.node_count(), -1);
+  for (std::size_t k = 0; k < rows.joint_nodes.size(); ++k)
+    held[at(rows.joint_nodes[k])] = static_cast<int>(k);
   VecX lambda = VecX::Zero(diagonal.size());
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
-    const bool touches = std::any_of(rows.contacts[i].begin(), rows.contacts[i].end(), [&](const auto& side) {
-      return side.node >= 0 && is_held[at(side.node)];
-    });
-    for (Index row = 3 * static_cast<Index>(i); touches && row < 3 * static_cast<Index>(i) + 3; ++row) {
-      lambda(row) = 1;
+    const Index row = 3 * static_cast<Index>(i);
+    const auto is_held = [&held](const ContactRows::Side& side) {
+      return side.node >= 0 && held[at(side.node)] >= 0;
+    };
+    const std::ptrdiff_t count = std::count_if(rows.contacts[i].begin(), rows.contacts[i].end(), is_held);
+    if (count == 0) continue;
+
+    // One held node: its own response in place of its inverse mass.
+    if (count == 1 && !own.empty()) {
+      diagonal.segment<3>(row).setZero();
+      for (const ContactRows::Side& side : rows.contacts[i]) {
+        if (side.node < 0) continue;
+        const Mat6& response =
+            is_held(side) ? own[at(held[at(side.node)])] : rows.inverse_masses[at(side.node)];
+        const Eigen::Matrix<double, 3, 6> J = side.J;
+        diagonal.segment<3>(row) += (J * response).cwiseProduct(J).rowwise().sum().cwiseMax(0);
+      }
+      continue;
+    }
+    for (Index k = row; k < row + 3; ++k) {
+      lambda(k) = 1;
       const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
       // λᵀ A λ = Vᵀ M V: never below zero.
-      diagonal(row) = std::max(0.0, p.dot(node_accelerations(rows, p)));
-      lambda(row) = 0;
+      diagonal(k) = std::max(0.0, p.dot(node_accelerations(rows, p)));
+      lambda(k) = 0;
     }
   }
   return diagonal;

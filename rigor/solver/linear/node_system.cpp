@@ -2,6 +2,8 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/solver/linear/contact_matrix.hpp"
+#include "rigor/solver/linear/joint_ties.hpp"
+#include "rigor/solver/linear/jointed_matrix.hpp"
 
 #include <Eigen/SparseLU>
 
@@ -72,6 +74,7 @@ struct NodeSystem::Factors {
   }
 
   std::optional<BlockElimination> blocks;
+  std::optional<JointedMatrix> jointed;
   Eigen::LLT<MatX> dense_cholesky;
   Eigen::PartialPivLU<MatX> dense_lu;
   std::unique_ptr<Eigen::SparseLU<Sparse>> lu;
@@ -85,7 +88,11 @@ EliminationPattern elimination_pattern(const ContactRows& rows) {
       for (std::size_t b = a + 1; b < sides.size(); ++b)
         if (sides[a].node >= 0 && sides[b].node >= 0 && sides[a].node != sides[b].node)
           pairs.emplace_back(sides[a].node, sides[b].node);
-  return {rows.node_count(), pairs};
+  const JointTies ties = joint_ties(rows);
+  if (ties.ties.empty()) return {rows.node_count(), pairs};
+  for (const JointTies::Tie& tie : ties.ties)
+    if (tie.nodes.size() == 2) pairs.emplace_back(tie.nodes[0], tie.nodes[1]);
+  return {places_of_tied_nodes(rows.node_count(), pairs, ties.ties), pairs};
 }
 
 NodeSystem::NodeSystem(NodeSystem&& other) noexcept = default;
@@ -98,6 +105,13 @@ NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& patter
     is_regular_ = factor_blocks(pattern, D, mass_factor, is_symmetric);
     return;
   }
+  // A border of loops loses digits where little of the masses is left: to forces of least norm 6e-9 of them.
+  JointedMatrix& jointed = factors_->jointed.emplace(rows, pattern, mass_factor);
+  if (jointed.is_possible() && !jointed.has_loops()) {
+    is_regular_ = jointed.factor(D, is_symmetric);
+    return;
+  }
+  factors_->jointed.reset();
   scales_ = unknown_scales(rows);
 
   // On the base of the motions that joints allow, where it is small enough for dense factors.
@@ -214,6 +228,7 @@ void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_facto
 
 VecX NodeSystem::solve(const VecX& c) const {
   if (factors_->blocks) return factors_->blocks->solve(c);
+  if (factors_->jointed) return factors_->jointed->solve(c);
   if (places_.empty()) {
     VecX bordered = VecX::Zero(size_);
     bordered.head(c.size()) = scales_.cwiseProduct(c);

@@ -8,20 +8,21 @@
 
 namespace rigor {
 
-/// Which nodes share contacts.
+/// Which nodes share contacts or ties of joints, in an order that takes trees of joints from their leaves to
+/// their roots.
 EliminationPattern elimination_pattern(const ContactRows& rows);
 
 /// Linear systems over nodes of six unknowns, with a block wherever two nodes share a contact:
 ///
 ///   (ε M + Σ_i J_iᵀ D_i J_i) x = c
 ///
-/// and, where joints hold nodes, the x that they allow (G x = 0) which solves this but for a reaction Gᵀ ν:
-/// on the base of these motions if the rows have one, else with the joints' independent rows (those that
-/// ConstrainedMass has chosen) as a border of the matrix.
+/// and, where joints hold nodes, the x that they allow (G x = 0) which solves this but for a reaction Gᵀ ν.
 ///
-/// Without joints the matrix is eliminated block by block in an order of little fill, in a time that grows
-/// about in proportion to the nodes in stacks and rows. With joints a few nodes are solved densely, more by a
-/// sparse factorisation.
+/// The matrix is eliminated block by block in an order of little fill, in a time that grows about in
+/// proportion to the nodes in stacks, rows and trees of joints (JointedMatrix). Where joints are not ties of
+/// such trees, or close loops, it is solved on the base of the motions that they allow if the rows have
+/// one, else with the joints' independent rows (those that ConstrainedMass has chosen) as a border of the
+/// matrix: a few nodes densely, more by a sparse factorisation.
 class NodeSystem {
  public:
   /// One 3 × 3 matrix D per contact. Symmetric: all D are, and are positive semidefinite. Holds references

@@ -35,6 +35,11 @@ class MotionSolver {
         motion_(problem.rows),
         forces_of_([this](const ContactModes& modes) { return forces_of(modes); }) {}
 
+  bool is_finite() const {
+    const auto is_number = [](double mu) { return std::isfinite(mu) && mu >= 0; };
+    return motion_.diagonal().allFinite() && std::all_of(laws_.mu.begin(), laws_.mu.end(), is_number);
+  }
+
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
     // Without friction the nearest point shows the modes; of many contacts proximal points find it sooner. A
     // start near the solution is best refined itself.
@@ -85,7 +90,7 @@ class MotionSolver {
     constexpr double kStiffness = 1e6, kShare = 1e-2;  // Times the mass of each contact; of the rates.
     const bool are_free = std::all_of(laws_.rows.begin(), laws_.rows.end(),
                                       [](FrictionRow row) { return row == FrictionRow::cone; });
-    if (problem_.rows.joints || is_frictionless() || !are_free || !are_masses_alike()) return true;
+    if (is_frictionless() || !are_free || !are_masses_alike()) return true;
     const VecX masses = effective_masses(motion_.diagonal());
     std::vector<Mat3> D(laws_.mu.size());
     VecX forces = laws_.b;
@@ -301,12 +306,6 @@ class MotionSolver {
   int pivots_ = 0;
 };
 
-bool is_finite(const MotionProblem& problem) {
-  const auto is_number = [](double mu) { return std::isfinite(mu) && mu >= 0; };
-  return problem.laws.b.allFinite() && contact_diagonal(problem.rows).allFinite() &&
-         std::all_of(problem.laws.mu.begin(), problem.laws.mu.end(), is_number);
-}
-
 }  // namespace
 
 std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& problem,
@@ -316,13 +315,14 @@ std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& proble
   RIGOR_ASSERT(laws.b.size() == 3 * static_cast<Index>(problem.rows.contacts.size()));
   RIGOR_ASSERT(start.empty() || start.size() == laws.mu.size());
   RIGOR_ASSERT(forces.size() == 0 || forces.size() == laws.b.size());
-  if (!is_finite(problem)) return std::nullopt;
+  if (!laws.b.allFinite()) return std::nullopt;
   bool approaches = false;
   for (Index i = 2; i < laws.b.size(); i += 3) approaches = approaches || laws.b(i) < 0;
   if (!approaches)
     return CoulombSolution{
         VecX::Zero(laws.b.size()), laws.b, open_guess(laws).modes.modes, 0.0, 0, true, "open"};
-  return MotionSolver(problem, options, forces).run(start);
+  MotionSolver solver(problem, options, forces);
+  return solver.is_finite() ? solver.run(start) : std::nullopt;
 }
 
 }  // namespace rigor
