@@ -190,7 +190,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
     last = part;
     left = parts_left > 1 ? left - part : 0;
     --parts_left;
-    if (left == 0) break;
+    if (left == 0 || !s.passing.is_finite()) break;
     if (after_part_) after_part_();
     poll_interrupt();
     s.prescribed.place(*model_, t_, left, left, bodies_);
