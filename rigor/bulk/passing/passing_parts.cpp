@@ -73,16 +73,18 @@ double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const Bulk
   if (!((norm_of(m.v) + turning_[at(driver)] * spin) * h > near_share * thin)) return h;
   const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
 
-  // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
-  // that turn by θ about an arm leave their places by arm θ²/2.
+  // Where they touch: the other is not to be passed by more than half of its thickness; points of contact
+  // that turn by θ about an arm leave their places by arm θ²/2; and what goes straight, at the speed u along
+  // a face that turns by ω h meanwhile, comes closer to it by u ω h².
   const double arm = model_->body(other).bounding_radius;
   const Vec3 r = bodies.x[at(other)] - bodies.x[at(driver)];
-  double near = kInfinity;
+  const double along = (v + w.cross(r)).norm(), turns = spin + own_spin;
+  double near = std::sqrt(touching_share * thin / (along * turns));
   if (std::isfinite(th_other))
-    near = near_share * th_other / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
+    near = std::min(near, near_share * th_other / (along + arm * spin + turning * own_spin));
   if (std::isfinite(arm) && arm > 0) {
     const double turn = std::sqrt(2 * touching_share * thin / arm);
-    near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
+    near = std::min(near, std::min(turn, most_turn) / turns);
   }
   if (near >= h) return h;
 
