@@ -12,6 +12,7 @@ void BulkStepReport::add(const BulkStepReport& later) {
   direct_islands = later.direct_islands, sleeping_count = later.sleeping_count;
   impacts.insert(impacts.end(), later.impacts.begin(), later.impacts.end());
   momentum_error += later.momentum_error;
+  rounded_momentum += later.rounded_momentum;
   work += later.work;
   if (later.max_overlap > max_overlap) {
     max_overlap = later.max_overlap;

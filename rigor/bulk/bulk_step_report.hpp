@@ -18,6 +18,8 @@ struct BulkStepReport {
   int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
   std::vector<BulkImpact> impacts;     ///< In the order of their bodies.
   Vec3 momentum_error = Vec3::Zero();  ///< See StepBalance [kg m/s].
+  /// Momenta of the bodies of the balance, and the impulses on them, that the step has rounded [kg m/s].
+  double rounded_momentum = 0;
   double work = 0;                     ///< Work of kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< Deepest overlap at the beginning of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Bodies of the deepest overlap.

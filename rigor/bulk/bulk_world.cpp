@@ -25,8 +25,9 @@ namespace {
 /// touch.
 constexpr double margin_steps = 2;
 
-/// No part of a step is shorter than this share of it; a sum of parts is known up to its rounding.
-constexpr double most_parts = 1024, part_rounding = 1e-9;
+/// No part of a step is shorter than this share of it: where kinematic bodies are near others, or else. A sum
+/// of parts is known up to its rounding.
+constexpr double most_parts_of_driven = 4096, most_parts = 1024, part_rounding = 1e-9;
 
 }  // namespace
 
@@ -160,7 +161,8 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   s.prescribed.place(*model_, t_, h, h, bodies_);
   find_contacts(h);
   const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
-  BulkStepReport report = is_divided ? step_in_parts(h, whole, h / most_parts) : take_step(h, whole);
+  const double least = h / (s.passing.has_driven() ? most_parts_of_driven : most_parts);
+  BulkStepReport report = is_divided ? step_in_parts(h, whole, least) : take_step(h, whole);
   // What was given for this step ends with it.
   s.forces.clear_given();
   s.prescribed.arrive(bodies_);
@@ -190,7 +192,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
     last = part;
     left = parts_left > 1 ? left - part : 0;
     --parts_left;
-    if (left == 0) break;
+    if (left == 0 || !s.passing.is_finite()) break;
     if (after_part_) after_part_();
     poll_interrupt();
     s.prescribed.place(*model_, t_, left, left, bodies_);

@@ -60,12 +60,21 @@ void StepBalance::find_free(const Model& model) {
 
 void StepBalance::begin(const BulkBodies& bodies) {
   begin_ = momentum(bodies);
+  momenta_ = sum_of_momenta(bodies);
 }
 
 Vec3 StepBalance::momentum(const BulkBodies& bodies) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < bodies.count(); ++i) {
     if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v);
+  }
+  return sum;
+}
+
+double StepBalance::sum_of_momenta(const BulkBodies& bodies) const {
+  double sum = 0;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v).norm();
   }
   return sum;
 }
@@ -81,8 +90,12 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
                       BulkStepReport& report) const {
   // Forces give their impulse to the bodies of the balance.
   Vec3 given = Vec3::Zero();
+  report.rounded_momentum = std::max(momenta_, sum_of_momenta(bodies));
   for (int i = 0; i < bodies.count(); ++i) {
-    if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
+    if (!is_booked(bodies, i)) continue;
+    const Vec3 impulse = h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
+    given += impulse;
+    report.rounded_momentum += impulse.norm();
   }
   // Contacts give the impulse that comes from other bodies; impacts and the work of kinematic bodies are read
   // on the way. Contacts that last between two bodies of the balance give it nothing.
@@ -97,6 +110,7 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
       report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
     }
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
+    report.rounded_momentum += on_B.impulse.norm();
     report.work += work_of_mover(manifold, bodies);
   };
   contacts.for_contacts(is_wanted, note);
@@ -105,6 +119,7 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
     if (contact.is_new && contact.approach_speed > impact_speed)
       report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
     book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
+    report.rounded_momentum += contact.impulse_W().norm();
   }
   // Impacts are put into the order of bodies, whatever the blocks are. The change of momentum that nothing
   // gave is the error.

@@ -36,10 +36,12 @@ class StepBalance {
     return is_free_[at(body)] && bodies.is_dynamic(body);
   }
   Vec3 momentum(const BulkBodies& bodies) const;
+  double sum_of_momenta(const BulkBodies& bodies) const;
 
   std::vector<double> masses_;  ///< [kg].
   std::vector<bool> is_free_;
   Vec3 begin_ = Vec3::Zero();  ///< Momentum at the beginning [kg m/s].
+  double momenta_ = 0;         ///< Sum of the bodies' own, Σ m |v|, at the beginning [kg m/s].
 };
 
 }  // namespace rigor

@@ -3,6 +3,8 @@
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/model/model_builder.hpp"
 
+#include "random_vectors.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,6 +135,32 @@ TEST(BulkTunnelling, ABallDoesNotPassAThinPlateThatIsFree) {
     const Vec3 after = state.linear_momentum(0) + state.linear_momentum(1);
     EXPECT_LT((after - P).norm(), 1e-5 * P.norm()) << speed;
     EXPECT_LT(linear_velocity(*model, state, 1).x(), 0.9 * speed) << speed;
+  }
+}
+
+/// Balls that a turning blade strikes stay on its face or fly off: one that slides outward on it sinks into
+/// it by no more than its contacts give way, whatever the blade's speed and the step are.
+TEST(BulkTunnelling, BallsThatSlideAlongATurningBladeStayOnItsFace) {
+  test::Random random(5);
+  for (int k = 0; k < 40; ++k) {
+    const double half = random.uniform(5e-4, 1.5e-3), radius = random.uniform(0.01, 0.05);
+    const double spin = std::pow(10, random.uniform(1.5, 3)), place = random.uniform(0.2, 0.5);
+    const double H = std::pow(10, random.uniform(-3, -1.8)), angle = random.uniform(0.4, 2.7);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 3000, k % 2 * 0.3, k % 3 == 0 ? 0.5 : 0.0});
+    BodyDescription blade = tunnelling_body("blade", Box{Vec3(0.8, half, 0.06)}, Vec3::Zero());
+    blade.motion = MotionType::kinematic;
+    blade.angular_velocity = Vec3(0, 0, spin);
+    builder.add_body(blade);
+    builder.add_body(tunnelling_body("ball", Sphere{radius},
+                                     Vec3(place * std::cos(angle), place * std::sin(angle), 0.3 * radius)));
+    const std::shared_ptr<const Model> model = builder.build();
+    BulkWorld world(model, BulkSettings{});
+    world.read(make_initial_state(*model));
+    double overlap = 0;
+    while (world.time() < 4.5 / spin) overlap = std::max(overlap, world.step(H).max_overlap);
+    EXPECT_LT(overlap, 0.25 * 2 * half) << k << ": " << spin << " rad/s, step " << H;
   }
 }
 

@@ -47,15 +47,16 @@ double largest_distance(const JointRun& a, const JointRun& b) {
   return largest;
 }
 
-/// A body with two arms that floats: each arm has bodies of its own, none of them of revolution.
-std::shared_ptr<const Model> floating_fork() {
+/// A body with two arms that floats: each arm has bodies of its own, none of them of revolution. unit: by
+/// what all masses and moments are multiplied.
+std::shared_ptr<const Model> floating_fork(double unit = 1) {
   ModelBuilder builder;
   builder.set_gravity(kGravity);
-  const Vec3 moments(0.02, 0.05, 0.06);
-  builder.add_body(tests::bulk_body("root", Vec3(0, 0, 0), 2, moments));
+  const Vec3 moments = unit * Vec3(0.02, 0.05, 0.06);
+  builder.add_body(tests::bulk_body("root", Vec3(0, 0, 0), 2 * unit, moments));
   const auto add = [&](const std::string& parent, const std::string& name, const Vec3& p,
                        const Vec3& anchor) {
-    builder.add_body(tests::bulk_body(name, p, 1, moments));
+    builder.add_body(tests::bulk_body(name, p, unit, moments));
     ModelBuilder::JointDescription joint;
     joint.name = "j" + name;
     joint.type = JointType::ball;
@@ -80,6 +81,16 @@ TEST(ContactFreeChains, MoveAsByStagesDo) {
   std::vector<float> of_free = free.impulses(), of_staged = staged.impulses();
   ASSERT_EQ(of_free.size(), of_staged.size());
   for (std::size_t k = 0; k < of_free.size(); ++k) EXPECT_NEAR(of_free[k], of_staged[k], 2e-3) << k;
+}
+
+TEST(ContactFreeChains, MoveTheSameHoweverLightTheyAre) {
+  // Masses times a power of two: the same bits. Products of three such moments would underflow.
+  JointRun heavy(floating_fork()), light(floating_fork(0x1p-48));
+  for (JointRun* run : {&heavy, &light}) {
+    for (int i = 0; i < 4; ++i) run->set(i, Vec3(0.2, 0, 0), Vec3(2 - i, 1, 0.5 * i));
+    run_freely(*run, 0.5, 8);
+  }
+  EXPECT_EQ(largest_distance(heavy, light), 0);
 }
 
 TEST(ContactFreeChains, ThatFloatAndBranchMoveAsByStagesDo) {

@@ -280,6 +280,37 @@ TEST(NarrowPhaseMeshes, FacesFarFromAWidePlateDoNotOverlapIt) {
   EXPECT_GT(ahead, 700);
 }
 
+/// A thin plate beside a solid with inner corners, or a little in it, at any angle. Its big faces cross the
+/// planes of facets that it does not touch, deep below them, also where it lies over them: none of that is an
+/// overlap. (A plate that is in it by more than half its thickness is another matter.)
+TEST(NarrowPhaseMeshes, AThinPlateOverlapsAConcaveSolidByNoMoreThanItDoes) {
+  Draw draw(79);
+  const Shape solid = beam_cross();
+  int apart = 0, overlapping = 0;
+  for (int k = 0; k < 1600; ++k) {
+    const double half_thickness = draw.uniform(0.02, 0.1);
+    const Vec3 half(draw.uniform(5, 40), draw.uniform(1, 4), half_thickness);
+    Ground scene(solid, Box{half}, k % 2 == 0);
+    Pose X_WB{draw.rotation(), Vec3::Zero()};
+    X_WB.p = X_WB.R * Vec3(draw.uniform(-0.9, 0.9) * half.x(), draw.uniform(-0.9, 0.9) * half.y(), -4);
+    const double gap = k % 2 == 0 ? draw.uniform(0, 0.8) : draw.uniform(-0.9 * half_thickness, 0);
+    for (int step = 0; step < 15; ++step)
+      X_WB.p += (signed_distance(solid, Pose{}, scene.other, X_WB).distance - gap) * X_WB.R.col(2);
+    const float margin = k % 4 < 2 ? 0.05f : 1.5f;
+    double least = INFINITY;
+    for (const Manifold& manifold : scene.manifolds(X_WB, margin))
+      least = std::min(least, least_gap(manifold));
+    const double rounding = 2 * static_cast<double>(kCollisionRounding) * (2 * half.norm() + X_WB.p.norm());
+    const double slack = test::face_preference(Box{Vec3(9, 9, 9)}, scene.other, gap) + rounding;
+    EXPECT_GE(least, gap - slack) << k;
+    if (gap < static_cast<double>(margin) - slack) {
+      EXPECT_LE(least, gap + slack) << k;
+    }
+    ++(gap > 0 ? apart : overlapping);
+  }
+  EXPECT_GT(std::min(apart, overlapping), 780);
+}
+
 /// What is inside a closed mesh, touching none of its triangles, is shown the way out.
 TEST(NarrowPhaseMeshes, WhatIsInsideIsShownTheWayOut) {
   const Shape ground = field([](double, double) { return 0.0; });

@@ -99,6 +99,27 @@ TEST(BulkAudit, ImpactsAreEventsWithTheirImpulses) {
   EXPECT_LT(events[0].p_W.head<2>().norm(), 1e-5);
 }
 
+TEST(BulkAudit, RoundingsOfWhatRestsOrRollsPassHoweverLongItDoes) {
+  // The same rounding in every step, to the same side.
+  for (int k = 0; k < 6; ++k) {
+    ModelBuilder builder = with_floor(0);
+    double z = 0;
+    for (int i = 0; i < 4 + k; ++i) {
+      const double half = 0.011 * (3 + (7 * i + 3 * k) % 5);
+      const Vec3 place(0.003 * ((i + k) % 3), 0.002 * (i % 4), z + half);
+      builder.add_body(
+          test::stepping_body("b" + std::to_string(i), Box{Vec3(0.1 + 0.02 * k, 0.12, half)}, place));
+      z += 2 * half;
+    }
+    BodyDescription ball = test::stepping_body("ball", Sphere{0.3}, Vec3(2, 0, 0.3));
+    ball.velocity = Vec3(1 + 0.37 * k, 0.2, 0);
+    builder.add_body(ball);
+    const Audit audit = audit_of(builder.build(), 40);
+    EXPECT_EQ(audit.violations, std::vector<std::string>{}) << k;
+    EXPECT_LT(audit.linear_momentum_error, 1e-5 * audit.report.rounded_momentum) << k;
+  }
+}
+
 TEST(BulkAudit, MomentumIsThatOfGravityAndTheFloorToTheRoundingsOf32Bits) {
   ModelBuilder builder = with_floor(0);
   for (int i = 0; i < 30; ++i) {

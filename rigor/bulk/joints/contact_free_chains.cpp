@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace rigor {
@@ -28,6 +29,8 @@ void set_body(const Body* body, std::size_t lane, ContactFreeChains::Body& to) {
   }
   // Of bodies of revolution the two are equal but for rounding.
   if (body != nullptr && axis_of_revolution(*body)) to.moments[1][i] = to.moments[2][i];
+  const float largest = std::max({to.moments[0][i], to.moments[1][i], to.moments[2][i]});
+  for (int k = 0; k < 3; ++k) to.ratios[k][i] = std::ldexp(to.moments[k][i], -std::ilogb(largest));
   to.spin[i] = to.moments[0][i] / to.moments[1][i] - 1;
   to.mass[i] = body == nullptr ? 1 : static_cast<float>(body->mass);
   to.inverse_mass[i] = body == nullptr ? 1 : static_cast<float>(1 / body->mass);

@@ -49,6 +49,7 @@ class ContactFreeChains {
     FloatLanes mass;       ///< [kg].
     FloatLanes inverse_mass;
     FloatLanes moments[3];  ///< About the axes [kg m²].
+    FloatLanes ratios[3];   ///< The same in units of a power of two near the largest: cubes do not underflow.
     FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
     FloatLanes reach;       ///< Greatest distance of a joint from the centre of mass, squared [m²].
   };

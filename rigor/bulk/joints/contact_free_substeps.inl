@@ -243,7 +243,7 @@ RIGOR_FLOAT_LANES void push_all(const FreeStep& step) {
     FreeNode& node = step.nodes[i];
     const ContactFreeChains::Body& body = step.tables.bodies[i];
     const FloatVec3 gyroscopic = of_revolution ? change_about_axis(node.axes[0], body.spin, node.w, step.h)
-                                               : change_by_newton(node.axes, body.moments, node.w, step.h);
+                                               : change_by_newton(node.axes, body.ratios, node.w, step.h);
     node.v = node.v + node.dv;
     node.w = node.w + (node.dw + gyroscopic);
     node.rotation = rotation_over(step.h, node.w);

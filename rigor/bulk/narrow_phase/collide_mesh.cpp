@@ -77,11 +77,11 @@ int MeshMeeting::facet_of(int triangle) const {
   return -1;
 }
 
-/// Whether the facet has no point above the plane through p across n.
-bool MeshMeeting::lies_behind(const Facet& facet, const Vec3f& n, const Vec3f& p) const {
-  const float offset = n.dot(p) + 4 * rounding_;
-  return n.dot(facet.corners[0]) <= offset && n.dot(facet.corners[1]) <= offset &&
-         n.dot(facet.corners[2]) <= offset;
+/// How far the facet reaches above the plane through p across n [m]; 0 if it lies behind it.
+float MeshMeeting::height_above(const Facet& facet, const Vec3f& n, const Vec3f& p) const {
+  const float highest =
+      std::max({n.dot(facet.corners[0]), n.dot(facet.corners[1]), n.dot(facet.corners[2])}) - n.dot(p);
+  return highest <= 4 * rounding_ ? 0 : highest;
 }
 
 /// Whether a triangle near the core of the facet's flat patch has a vertex for which `meets` holds.
@@ -95,23 +95,25 @@ bool MeshMeeting::patch_meets(const MeshView& view, const Facet& facet, const Me
 }
 
 /// What the triangle's own normal, those of the neighbours of its patch, and the edges that are touched
-/// separate the core from it by at most. A triangle that lies behind a plane is separated by that too: moved
-/// along the plane's normal by as much as it overlaps, the core leaves the triangle, of whatever part of the
-/// mesh the plane is. Edges are touched, so that they hold the core if the triangle does not. The plane of a
-/// face may be touched nowhere: with an overlap only those of neighbours count.
+/// separate the core from it by at most. What reaches no higher than a plane is separated by that too, and
+/// what reaches above it by that much less: moved along the plane's normal by as much as is left, the core
+/// leaves the triangle, of whatever part of the mesh the plane is. Edges are touched, so that they hold the
+/// core if the triangle does not. The plane of a face may be touched nowhere: with an overlap only those of
+/// neighbours count.
 float MeshMeeting::bound_of(const MeshView& view, const Facet& facet) const {
   float bound = facet.separation;
   for (const Facet& other : facets_) {
-    if (other.separation <= bound || !lies_behind(facet, other.n, other.corners[0])) continue;
+    if (other.separation <= bound) continue;
+    const float separation = other.separation - height_above(facet, other.n, other.corners[0]);
+    if (separation <= bound) continue;
     const auto& vertices = view.mesh->triangles[at(other.triangle)].vertices;
     const auto is_of_other = [&](int v) { return v == vertices[0] || v == vertices[1] || v == vertices[2]; };
-    if (other.separation > 0 || patch_meets(view, facet, is_of_other)) bound = other.separation;
+    if (other.separation > 0 || patch_meets(view, facet, is_of_other)) bound = separation;
   }
   // The same of edges, which count with the core's own radius.
   for (std::size_t k = 0; k < ridge_count_; ++k) {
     const Ridge& ridge = ridges_[k];
-    const float separation = ridge.gap + pair_.b.radius;
-    if (separation > bound && lies_behind(facet, ridge.n, ridge.from)) bound = separation;
+    bound = std::max(bound, ridge.gap + pair_.b.radius - height_above(facet, ridge.n, ridge.top));
   }
   return bound;
 }

@@ -60,6 +60,7 @@ class MeshMeeting {
     int ends[2];        ///< Vertices.
     Vec3f from;         ///< The first of them [m].
     Vec3f n;
+    Vec3f top;  ///< Of the part of the edge that is near the core the end that is higher along n [m].
     float gap;
     int part;
     std::vector<ManifoldCandidate> candidates;
@@ -81,13 +82,14 @@ class MeshMeeting {
   std::optional<int> touch_polytope(const MeshView& view, const EdgePart& edge, Ridge& ridge);
   bool is_normal(const MeshView& view, const Ridge& ridge, int vertex) const;
   void add_face(const MeshView& view, Facet& facet);
+  float part_from(const Facet& facet) const;
   void find_region(const MeshView& view, const FloatMesh::Triangle& triangle, const Facet& facet);
   bool may_lie_over(const FaceOutline& outline, const Facet& facet) const;
   void add_explained_ridges();
   void add(const Vec3f& n, int part, const std::vector<ManifoldCandidate>& candidates);
   template <class Meets>
   bool patch_meets(const MeshView& view, const Facet& facet, const Meets& meets) const;
-  bool lies_behind(const Facet& facet, const Vec3f& n, const Vec3f& p) const;
+  float height_above(const Facet& facet, const Vec3f& n, const Vec3f& p) const;
   bool may_part_better(const Facet& own, const Facet* other, const Vec3f& from, const Vec3f& outward) const;
   int facet_of(int triangle) const;
   Vec3f point(const MeshView& view, int vertex) const;

@@ -94,12 +94,30 @@ void MeshMeeting::add_face(const MeshView& view, Facet& facet) {
   if (found_.empty()) return;
   // A triangle that something else separates from the core by the margin is not touched, and what is deeper
   // than it can be left is not the triangle's.
-  const float bound = bound_of(view, facet), gap = bound - pair_.b.radius;
+  const float bound = std::max(bound_of(view, facet), part_from(facet)), gap = bound - pair_.b.radius;
   if (bound > limit_ || facet.separation < bound - std::max(preference(gap), margin_)) return;
   const float deepest = std::min(gap, 0.0f) - preference(gap) - 4 * rounding_;
   std::erase_if(found_, [&](const ManifoldCandidate& candidate) { return candidate.gap < deepest; });
   for (const ManifoldCandidate& candidate : found_) facet.least = std::min(facet.least, candidate.gap);
   add(facet.n, triangle.patch, found_);
+}
+
+/// How far faces of the core part it from the triangle; 0 if none does, or the triangle is hardly deep. A
+/// wide plate beside a triangle crosses the triangle's plane far from it, and the prism over the triangle far
+/// below it: none of that is an overlap.
+float MeshMeeting::part_from(const Facet& facet) const {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  const PlacedPolytope& core = pair_.b;
+  const auto is_deep = [&](const ManifoldCandidate& each) { return each.gap < -preference(each.gap); };
+  if (std::none_of(found_.begin(), found_.end(), is_deep)) return -far;
+  float most = -far;
+  for (int f = 0; f < static_cast<int>(core.hull->face_count); ++f) {
+    const Vec3f m = core.normal(f), p = core.vertex(core.hull->border_vertices(f)[0]);
+    float least = far;
+    for (const Vec3f& corner : facet.corners) least = std::min(least, m.dot(corner - p));
+    most = std::max(most, least);
+  }
+  return most > 0 ? most : -far;
 }
 
 /// Points of the face (the edge, the point) of the core that lies over the triangle, at their heights, and of
@@ -177,6 +195,7 @@ bool MeshMeeting::find_on_segment(const MeshView& view, const Vec3f& to, int tri
   const bool is_round = pair_.b.hull->face_count == 0;
   // Round cores have nearest points in closed form, others need the axes of all pairs of edges.
   const std::optional<int> vertex = is_round ? touch_round(part, ridge) : touch_polytope(view, part, ridge);
+  if (vertex) ridge.top = ridge.n.dot(part.u) > 0 ? part.p + part.u : part.p;
   return vertex && is_normal(view, ridge, *vertex);
 }
 

@@ -185,6 +185,7 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   constexpr double rounding = 1e-5;
   const double least = (1 - rounding) * near_share * least_thickness_;
   reach_.resize(bodies.x.size());
+  is_finite_ = true;
   float most = 0;
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
@@ -195,7 +196,10 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
       reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(path));
     }
     most = std::max(most, reach_[at(i)]);
+    is_finite_ = is_finite_ && std::isfinite(reach_[at(i)]);
   }
+  // A motion that has become infinite has no boxes; whoever steps the world sees it and stops.
+  if (!is_finite_) return;
   if (2 * static_cast<double>(most) <= least) return;
 
   // Pairs that were looked for.

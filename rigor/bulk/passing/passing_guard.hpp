@@ -44,6 +44,8 @@ class PassingGuard {
   double longest_part(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
   /// Whether there are kinematic bodies.
   bool has_driven() const { return driven_ > 0; }
+  /// Whether the displacements of the last step were numbers: if not, nothing was stopped.
+  bool is_finite() const { return is_finite_; }
   /// At the beginning of a step of h [s]: how far bodies go at their present velocities.
   void begin(const BulkBodies& bodies, double h);
   /// Then marks the jointed bodies whose ways within h bend near others: they are to be noted.
@@ -131,6 +133,7 @@ class PassingGuard {
   AabbTree swept_tree_;          ///< Of swept_.
   long sweeps_ = 0;
   std::vector<int> near_;
+  bool is_finite_ = true;
   std::vector<FarPair> far_;
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
   std::vector<int> changes_;    ///< How often the displacement was changed, by its group.

@@ -79,14 +79,16 @@ double PassingGuard::part_of_driven(const ShapePair& pair, bool is_A, const Bulk
   if (!(std::min(there, anywhere) * h > near_share * thin)) return h;
   const double speed = v.norm() + turning_[at(driver)] * spin + turning * own_spin;
 
-  // Where they touch: the other is not to be passed by more than half of its thickness, and points of contact
-  // that turn by θ about an arm leave their places by arm θ²/2.
-  double near = kInfinity;
+  // Where they touch: the other is not to be passed by more than half of its thickness; points of contact
+  // that turn by θ about an arm leave their places by arm θ²/2; and what goes straight, at the speed u along
+  // a face that turns by ω h meanwhile, comes closer to it by u ω h².
+  const double along = (v + w.cross(r)).norm(), turns = spin + own_spin;
+  double near = std::sqrt(touching_share * thin / (along * turns));
   if (std::isfinite(depth))
-    near = near_share * depth / ((v + w.cross(r)).norm() + arm * spin + turning * own_spin);
+    near = std::min(near, near_share * depth / (along + arm * spin + turning * own_spin));
   if (std::isfinite(arm) && arm > 0) {
     const double turn = std::sqrt(2 * touching_share * thin / arm);
-    near = std::min(near, std::min(turn, most_turn) / (spin + own_spin));
+    near = std::min(near, std::min(turn, most_turn) / turns);
   }
   if (near >= h) return h;
 

@@ -22,7 +22,7 @@ namespace {
 // visit_numbers, the spans of its schemes (count, then the numbers of visit_span, length and bytes of the
 // cause), its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x08";
+constexpr std::string_view magic = "RIGORCP\x09";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -54,7 +54,7 @@ void visit_numbers(Part& audit, Visit visit) {
   visit(report.projection_loss), visit(report.max_residual), visit(report.max_iterations),
       visit(report.fallbacks), visit(report.coarse_steps);
   visit(report.quaternion_drift), visit(report.max_joint_drift), visit(report.drift_joint);
-  visit(report.max_joint_projection);
+  visit(report.max_joint_projection), visit(report.rounded_momentum);
   for (auto* pair : {&report.passages, &report.inconsistent, &report.indeterminate}) {
     visit(pair->instants), visit(pair->body_A), visit(pair->body_B), visit(pair->first);
   }
@@ -100,7 +100,7 @@ std::string audit_error(const Model& model, const Audit& audit) {
   }
   for (const double largest :
        {report.toi_bracket, report.max_penetration, report.max_joint_drift, report.max_joint_projection,
-        report.max_residual, report.quaternion_drift, report.effort}) {
+        report.max_residual, report.quaternion_drift, report.effort, report.rounded_momentum}) {
     if (largest < 0) return "an error in its audit is negative";
   }
 

@@ -248,13 +248,13 @@ void Auditor::find_violations(Audit& audit) const {
     carried_moment +=
         promises.weight_share * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
   }
-  // Roundings of velocities in each sweep of the contacts walk at random.
-  const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations;
-  const double momentum_share =
-      promises.rounding_share > 0 ? promises.rounding_share * std::sqrt(promises.roundings_per_sweep * sweeps)
-                                  : promises.momentum_share;
+  // Roundings of velocities in each sweep of the contacts: on the same side, step after step, where bodies
+  // rest or roll.
+  const double rounding = promises.rounding_share * promises.roundings_per_sweep *
+                          audit.report.max_iterations * audit.report.rounded_momentum;
   check(Audit::Promise::momentum, "error of linear momentum", audit.linear_momentum_error,
-        momentum_share * momentum_scale_ + carried, "kg m/s");
+        (promises.rounding_share > 0 ? rounding : promises.momentum_share * momentum_scale_) + carried,
+        "kg m/s");
   check(Audit::Promise::momentum, "error of angular momentum", audit.angular_momentum_error,
         promises.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
   check(Audit::Promise::joints, "drift of joints", audit.report.max_joint_drift, promises.joint_drift,

@@ -134,6 +134,7 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
         {MotionEvent::Kind::impact, t_end, impact.body_A, impact.body_B, impact.p_W, impact.j_W});
   }
   report_.momentum_error += step.momentum_error;
+  report_.rounded_momentum += step.rounded_momentum;
   report_.work += step.work;
   // Each sub-step sweeps twice: with the springs, and without them.
   report_.max_iterations = 2 * settings_.substeps;

@@ -107,6 +107,7 @@ void AdvanceReport::add(const AdvanceReport& later) {
   projection_loss += later.projection_loss;
   momentum_error += later.momentum_error;
   angular_momentum_error += later.angular_momentum_error;
+  rounded_momentum += later.rounded_momentum;
   max_residual = std::max(max_residual, later.max_residual);
   max_iterations = std::max(max_iterations, later.max_iterations);
   fallbacks += later.fallbacks;
