@@ -236,14 +236,14 @@ TEST(Deserialise, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(bytes), "state: not a saved state of Rigor");
   bytes = serialise(State{});
   bytes[8] = 2;
-  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 6");
+  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 7");
   bytes = serialise(State{});
   // A count whose product with the size of a body would overflow.
   for (std::size_t i = 16; i < 24; ++i) bytes[i] = 0xFF;
   EXPECT_EQ(
       message_of(bytes),
       "state: damaged, 18446744073709551615 bodies, 0 contacts, 0 manifolds, 0 joint impulses and 0 quiet "
-      "times do not fit its 96 bytes");
+      "times do not fit its 104 bytes");
   bytes = serialise(State{});
   bytes.back() ^= 1;
   EXPECT_EQ(message_of(bytes), "state: damaged, its checksum is wrong");

@@ -368,8 +368,8 @@ TEST(Handover, AStepThatAloneIsTooDearIsGivenUp) {
   if (until > 0) {
     stepper_of_steps(model, 0)->look(by_auto, 0.3, until);
     make_stepper(model, exact, step)->look(by_steps, 0.3, until);
-    by_auto.handover = {};
-    EXPECT_EQ(by_auto, by_steps);
+    for (int body = 1; body < model->body_count(); ++body)
+      EXPECT_LE((by_auto.position(body) - by_steps.position(body)).norm(), 1e-12);
   }
 }
 

@@ -358,7 +358,7 @@ DirectProblem DirectIslands::problem_of(const DirectStep& step, const Island& is
 VecX DirectIslands::find_push(DirectProblem& problem, double h, const VecX& V_end) {
   problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
   problem.motion.laws.b = problem.rates(V_end, h, put_back);
-  const std::optional<VecX> push = solve_impulses(problem.motion, VecX());
+  const std::optional<VecX> push = solve_impulses(problem.motion, VecX::Zero(problem.motion.laws.b.size()));
   if (!push) return VecX::Zero(V_end.size());
   return problem.velocities_after(V_end, *push) - V_end;
 }

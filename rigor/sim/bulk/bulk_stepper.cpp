@@ -28,7 +28,8 @@ BulkStepper::BulkStepper(std::shared_ptr<const Model> model, const Method& metho
                          int threads)
     : FixedStepStepper(std::move(model), target_step),
       settings_(settings_of(method, threads)),
-      world_(model_, settings_) {
+      world_(model_, settings_),
+      longest_step_(target_step) {
   RIGOR_ASSERT(threads >= 1);
 }
 

@@ -36,10 +36,13 @@ class BulkStepper : public FixedStepStepper {
   /// Loads that act in every step from now on, in place of earlier ones; each is constant within a step.
   /// Their work is in the report.
   void set_loads(std::vector<BodyLoad> loads) { loads_ = std::move(loads); }
+  /// The next calls take steps no longer than this [s], in (0, target_step].
+  void set_longest_step(double h) { longest_step_ = h; }
   /// The contacts of the last step, their impulses over its length; none before the first one.
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
 
  private:
+  double longest_step() const override { return longest_step_; }
   void apply_loads();
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;
@@ -51,6 +54,7 @@ class BulkStepper : public FixedStepStepper {
   BulkSettings settings_;
   BulkWorld world_;
   std::vector<BodyLoad> loads_;
+  double longest_step_;
   double last_step_ = 0;
 };
 

@@ -47,10 +47,11 @@ class MotionSolver {
       std::optional<CoulombSolution> solution = solve_to_resolution();
       if (solution && solution->converged) return solution;
     }
-    if (is_frictionless() && is_dense_enough())
+    const bool is_near = start_.size() > 0 && options_.resolution && are_masses_alike();
+    if (is_frictionless() && is_dense_enough() && !is_near)
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
     if (start_.size() > 0 && !options_.least_norm)
-      return options_.resolution ? solve_to_resolution() : share_somehow();
+      return is_near ? solve_to_resolution() : share_somehow();
 
     // The modes of a similar problem before, then that every contact holds: most problems are solved by that.
     if (!start.empty()) {
