@@ -221,7 +221,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
-  s.forces.compute(bodies_, h, s.executor);
+  s.forces.compute(bodies_, h, settings_.substeps, s.executor);
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains(h);
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
