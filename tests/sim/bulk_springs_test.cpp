@@ -138,8 +138,7 @@ TEST(BulkSprings, OfAnyStiffnessDoNotDriveWhatTheyHold) {
     for (int k = 0; k < 100; ++k) world.step(h);
     world.write(state);
     const double end = mechanical_energy(*model, environment, state).total();
-    EXPECT_TRUE(std::isfinite(end) && end <= 2 * begin)
-        << n << ": " << begin << " J, then " << end << " J";
+    EXPECT_TRUE(std::isfinite(end) && end <= 2 * begin) << n << ": " << begin << " J, then " << end << " J";
   }
 }
 
