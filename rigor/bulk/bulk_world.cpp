@@ -175,6 +175,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
   Scratch& s = *scratch_;
   BulkStepReport report;
   report.parts = 0;
+  ManifoldMemories before = memory_;
   double left = h, last = h, parts_left = 0;
   while (left > 0) {
     // What is left is divided evenly, so that no part is a splinter.
@@ -186,8 +187,9 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
     const double part = left / parts_left;
     s.prescribed.place(*model_, t_, part, left, bodies_);
     find_contacts(part);
-    // Forces of the part before acted for a longer or shorter time.
-    memory_ = memory_.scaled(static_cast<float>(part / last));
+    // Forces of the part before acted for a longer or shorter time; strikes did not.
+    memory_ = memory_.scaled_since(before, static_cast<float>(part / last));
+    before = memory_;
     report.add(take_step(part, whole * (part / h)));
     last = part;
     left = parts_left > 1 ? left - part : 0;
@@ -197,7 +199,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
     poll_interrupt();
     s.prescribed.place(*model_, t_, left, left, bodies_);
   }
-  memory_ = memory_.scaled(static_cast<float>(h / last));
+  memory_ = memory_.scaled_since(before, static_cast<float>(h / last));
   return report;
 }
 
@@ -219,7 +221,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
-  s.forces.compute(bodies_, h, s.executor);
+  s.forces.compute(bodies_, h, settings_.substeps, s.executor);
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains(h);
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);

@@ -19,10 +19,11 @@ bool is_damped(const Body& body) {
 
 }  // namespace
 
-StepForces::StepForces(const Model& model) : model_(model), environment_(environment_of(model)) {}
+StepForces::StepForces(const Model& model)
+    : model_(model), environment_(environment_of(model)), springs_(model) {}
 
 Environment StepForces::environment_of(const Model& model) {
-  return Environment(model, PointSprings::act, false);
+  return Environment(model, PointSprings::left_out, false);
 }
 
 void StepForces::change(const ChangedBodies& changed) {
@@ -32,9 +33,10 @@ void StepForces::change(const ChangedBodies& changed) {
   };
   if (changed.are_ties_new || std::any_of(changed.bodies.begin(), changed.bodies.end(), acts_more))
     environment_ = environment_of(model_);
+  if (changed.are_ties_new) springs_ = BulkSprings(model_);
 }
 
-void StepForces::compute(const BulkBodies& bodies, double h, const Executor& executor) {
+void StepForces::compute(const BulkBodies& bodies, double h, int substeps, const Executor& executor) {
   accelerations_.resize(bodies.x.size());
   const auto view = [&](int body) {
     const std::size_t k = at(body);
@@ -65,6 +67,7 @@ void StepForces::compute(const BulkBodies& bodies, double h, const Executor& exe
     }
   });
   add_given(bodies);
+  springs_.add(bodies, h, substeps, accelerations_);
 }
 
 void StepForces::add_given(const BulkBodies& bodies) {

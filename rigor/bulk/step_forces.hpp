@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/bulk/bulk_springs.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/changed_bodies.hpp"
 #include "rigor/bulk/threads/executor.hpp"
@@ -29,7 +30,7 @@ class StepForces {
   }
 
   /// The accelerations of all bodies in a step of h [s].
-  void compute(const BulkBodies& bodies, double h, const Executor& executor);
+  void compute(const BulkBodies& bodies, double h, int substeps, const Executor& executor);
   /// Change of the velocities of each body per second, linear first.
   const std::vector<MotionRow>& accelerations() const { return accelerations_; }
   std::vector<MotionRow>& accelerations() { return accelerations_; }
@@ -45,7 +46,8 @@ class StepForces {
   void add_given(const BulkBodies& bodies);
 
   const Model& model_;
-  Environment environment_;
+  Environment environment_;  ///< But for springs between points.
+  BulkSprings springs_;
   std::vector<GivenWrench> given_;  ///< In the order of the calls.
   std::vector<MotionRow> accelerations_;
 };

@@ -164,5 +164,35 @@ TEST(BulkTunnelling, BallsThatSlideAlongATurningBladeStayOnItsFace) {
   }
 }
 
+/// A strike in a tiny part of a step is no force that a longer part makes larger: what the next part would
+/// begin with, thousands of times the impulse, would leave its rounding in the ball's momentum.
+TEST(BulkTunnelling, AStrikeInATinyPartLeavesNoMomentumBehind) {
+  test::Random random(11);
+  for (int k = 0; k < 300; ++k) {
+    const double half = random.uniform(5e-4, 1.5e-3), radius = random.uniform(0.005, 0.05);
+    const double speed = std::pow(10, random.uniform(1.5, 3.5)), gap = random.uniform(0, 0.6 * speed * step);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 700, k % 2 * 0.3, 0});
+    BodyDescription blade = tunnelling_body("blade", Box{Vec3(0.9, half, 0.04)}, Vec3::Zero());
+    blade.motion = MotionType::kinematic;
+    blade.velocity = Vec3(0, speed, 0);
+    builder.add_body(blade);
+    builder.add_body(tunnelling_body("ball", Sphere{radius},
+                                     Vec3(random.uniform(-0.5, 0.5), half + radius + gap, 0.3 * radius)));
+    const std::shared_ptr<const Model> model = builder.build();
+    BulkSettings settings;
+    settings.measures = true;
+    BulkWorld world(model, settings);
+    world.read(make_initial_state(*model));
+    for (int n = 0; n < 3; ++n) {
+      const BulkStepReport report = world.step(step);
+      // Two roundings of 32 bits in each of the two sweeps of a substep.
+      EXPECT_LE(report.momentum_error.norm(), 4 * 0x1p-24 * settings.substeps * report.rounded_momentum)
+          << k << ": " << speed << " m/s, gap " << gap << ", step " << n;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rigor::bulk_tunnelling_test

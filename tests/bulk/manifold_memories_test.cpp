@@ -100,5 +100,19 @@ TEST(ManifoldMemories, HaveANumberBehindTheFriction) {
   EXPECT_EQ(view.rolling_impulse_W, nullptr);
 }
 
+TEST(ManifoldMemories, GrowOnlyWherePressedBefore) {
+  // The first pressed before, the second was near, the third was not there.
+  ManifoldMemory near = memory(1, 2, 2);
+  near.normal_impulse = {};
+  const ManifoldMemories before{memory(0, 1, 2), near},
+      now{memory(0, 1, 3), memory(1, 2, 2), memory(1, 3, 1)};
+  const ManifoldMemories longer = now.scaled_since(before, 100);
+  EXPECT_EQ(longer[0], now.scaled(100)[0]);
+  EXPECT_EQ(longer[1], now[1]);
+  EXPECT_EQ(longer[2], now[2]);
+  // All become less.
+  EXPECT_EQ(now.scaled_since(before, 0.5f), now.scaled(0.5f));
+}
+
 }  // namespace
 }  // namespace rigor::manifold_memories_test

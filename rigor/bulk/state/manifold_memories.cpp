@@ -30,6 +30,13 @@ ManifoldMemories::Layout layout_of(const ManifoldMemory& memory) {
           is_set(memory.energy)};
 }
 
+void scale(ManifoldMemory& memory, float factor) {
+  for (float& impulse : memory.normal_impulse) impulse *= factor;
+  for (float& impulse : memory.friction_impulse_W) impulse *= factor;
+  for (float& impulse : memory.rolling_impulse_W) impulse *= factor;
+  memory.twist_impulse *= factor;
+}
+
 }  // namespace
 
 ManifoldMemories::ManifoldMemories(const std::vector<ManifoldMemory>& memories) {
@@ -130,13 +137,24 @@ ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
 
 ManifoldMemories ManifoldMemories::scaled(float factor) const {
   std::vector<ManifoldMemory> memories = values();
+  for (ManifoldMemory& memory : memories) scale(memory, factor);
+  return memories;
+}
+
+ManifoldMemories ManifoldMemories::scaled_since(const ManifoldMemories& before, float factor) const {
+  std::vector<ManifoldMemory> memories = values();
   for (ManifoldMemory& memory : memories) {
-    for (float& impulse : memory.normal_impulse) impulse *= factor;
-    for (float& impulse : memory.friction_impulse_W) impulse *= factor;
-    for (float& impulse : memory.rolling_impulse_W) impulse *= factor;
-    memory.twist_impulse *= factor;
+    if (factor <= 1 || before.presses(memory.key())) scale(memory, factor);
   }
   return memories;
+}
+
+bool ManifoldMemories::presses(const ContactKey& key) const {
+  const std::size_t i = find_from(key);
+  if (i == size() || order(i, key) != 0) return false;
+  const View own = view(i);
+  return std::any_of(own.normal_impulse, own.normal_impulse + own.point_count,
+                     [](float impulse) { return impulse > 0; });
 }
 
 bool ManifoldMemories::operator==(const ManifoldMemories& other) const {

@@ -62,6 +62,9 @@ class ManifoldMemories {
   ManifoldMemory operator[](std::size_t i) const;
   /// With all impulses times this factor.
   ManifoldMemories scaled(float factor) const;
+  /// The same, but what pressed nothing in `before` does not grow: the impulse of a strike does not depend on
+  /// the time in which it was found. `before` must be in the order of keys.
+  ManifoldMemories scaled_since(const ManifoldMemories& before, float factor) const;
   bool operator==(const ManifoldMemories& other) const;
 
   int body_A(std::size_t i) const { return heads_[i].body_A; }
@@ -193,6 +196,8 @@ class ManifoldMemories {
             layout.has_rolling,
             layout.has_energy};
   }
+  /// Whether the list, in the order of keys, has normal impulses of this contact.
+  bool presses(const ContactKey& key) const;
   void make_heads(std::size_t count);
   void make_numbers(std::size_t count);
 
