@@ -152,7 +152,7 @@ AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look
   last_ = &steps();
   // A step that alone costs too much is given up: the State is that before it.
   if (choice_.soft_steps) {
-    const double paid = bounds_.paid_to_steps * (std::min(end, t_look) - begin);
+    const double paid = bounds_.paid_to_steps * (end - begin);
     steps().set_work_limit(bounds_.most_owed_by_steps + paid - memory_.owed_by_steps);
   }
   AdvanceReport report =
