@@ -12,6 +12,7 @@ struct HandoverMemory {
   double price = 0;  ///< Work of one event, as it was when steps took over.
   /// Operations that exact steps have taken beyond what simulated time pays for (AdvanceReport::step_work).
   double owed_by_steps = 0;
+  double soft_step = 0;  ///< Longest soft step [s]; 0: they do not carry the bodies.
 
   bool operator==(const HandoverMemory& other) const = default;
 };

@@ -14,15 +14,15 @@ namespace {
 
 // The layout of the bytes, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n
 // of bodies, m of remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then
-// the doubles t, of the hand-over the number of the carrier, work owed, price and operations owed by steps, x
-// (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
-// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each),
-// the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
-// everything before it.
+// the doubles t, of the hand-over the number of the carrier, work owed, price, operations owed by steps and
+// length of soft steps, x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B,
+// shape_A, shape_B, feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of
+// 4 bytes each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum
+// (u64) of everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
 constexpr std::uint64_t version = 7;
 /// Beside the header: t and the hand-over.
-constexpr std::size_t single_words = 5;
+constexpr std::size_t single_words = 6;
 constexpr std::size_t header_length = 56;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
@@ -232,7 +232,7 @@ std::vector<unsigned char> serialise(const State& state) {
   append(std::bit_cast<std::uint64_t>(state.t), 8, bytes);
   const HandoverMemory& handover = state.handover;
   append(std::vector<double>{static_cast<double>(handover.carrier), handover.owed, handover.price,
-                             handover.owed_by_steps},
+                             handover.owed_by_steps, handover.soft_step},
          bytes);
   for (const auto* array : {&state.x, &state.q, &state.P, &state.L, &state.epoch, &state.anchor}) {
     append(*array, bytes);
@@ -256,6 +256,7 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   state.handover.owed = reader.next_double();
   state.handover.price = reader.next_double();
   state.handover.owed_by_steps = reader.next_double();
+  state.handover.soft_step = reader.next_double();
   state.x = reader.next(3 * n);
   state.q = reader.next(4 * n);
   state.P = reader.next(3 * n);

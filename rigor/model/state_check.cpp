@@ -139,6 +139,10 @@ std::string state_error(const Model& model, const State& state) {
     if (!(effort >= 0 && effort <= most_work))
       return "the work that it remembers is negative or beyond any run";
   }
+  const bool is_soft = state.handover.carrier == HandoverMemory::Carrier::soft_steps;
+  if (!(state.handover.soft_step >= 0 && state.handover.soft_step <= limits::time.highest &&
+        is_soft == (state.handover.soft_step > 0)))
+    return "the length of its soft steps is " + number_text(state.handover.soft_step) + " s";
   return contact_error(model, state);
 }
 

@@ -56,8 +56,11 @@ Checkpoint sample_checkpoint() {
       {.begin = 0, .end = 1, .energy = -3, .work = 2, .rise = 1e-9, .impacts = 4, .end_cause = "a crowd"},
       {.scheme = Scheme::time_stepping, .begin = 1, .end = 1.5}};
   checkpoint.audit.books.lowest_of_span = -5;
-  checkpoint.state.handover = {
-      .carrier = HandoverMemory::Carrier::soft_steps, .owed = 12.5, .price = 3, .owed_by_steps = 7.5};
+  checkpoint.state.handover = {.carrier = HandoverMemory::Carrier::soft_steps,
+                               .owed = 12.5,
+                               .price = 3,
+                               .owed_by_steps = 7.5,
+                               .soft_step = 0.001};
   checkpoint.audit.warnings = {"one", "two"};
   return checkpoint;
 }

@@ -243,7 +243,7 @@ TEST(Deserialise, SaysWhatIsWrong) {
   EXPECT_EQ(
       message_of(bytes),
       "state: damaged, 18446744073709551615 bodies, 0 contacts, 0 manifolds, 0 joint impulses and 0 quiet "
-      "times do not fit its 104 bytes");
+      "times do not fit its 112 bytes");
   bytes = serialise(State{});
   bytes.back() ^= 1;
   EXPECT_EQ(message_of(bytes), "state: damaged, its checksum is wrong");

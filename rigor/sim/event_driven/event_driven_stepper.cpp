@@ -189,6 +189,13 @@ void EventDrivenStepper::note_search(const QueuedEvent& event) {
 void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector<int> changed) {
   const double effort_before = report_.effort;
   Cluster cluster = compute_new_body_states(seeds);
+  if (EffortDebt foreseen = debt_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
+    // Who takes over takes the bodies as they came here.
+    debt_ = foreseen;
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
+      trajectories_.set_motion(cluster.bodies[i], Motion::at_rest(cluster.phases[i], t_), t_);
+    return;
+  }
   apply_forces(cluster);
   debt_.charge(report_.effort - effort_before, t_);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
@@ -196,6 +203,25 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   drop_stale_events();
   constexpr std::size_t most_pieces = 4096;
   if (trajectories_.piece_count() > most_pieces) witness_.watch(trajectories_.take_paths(t_), report_);
+}
+
+/// What the impact of a cluster costs at the least (AdvanceReport::effort); 0 if nothing approaches.
+double EventDrivenStepper::least_effort_of(const Cluster& cluster) const {
+  // Large groups that are hit take more, often many times as much.
+  constexpr double iterations = 10;
+  if (!std::isfinite(debt_.most)) return 0;
+  const auto kinetics = [&](int body) {
+    return is_dynamic(body) ? dynamic_kinetics(model_->body(body), cluster.phase_of(body))
+                            : prescribed_kinetics(model_->body(body), cluster.t);
+  };
+  const bool approaches =
+      std::any_of(cluster.contacts.begin(), cluster.contacts.end(), [&](const Contact& c) {
+        if (c.stop) return false;
+        const Vec3 u = kinetics(c.body_B).velocity_at(c.p_W()) - kinetics(c.body_A).velocity_at(c.p_W());
+        return c.point.n_W.dot(u) < -method_.resting_velocity;
+      });
+  const double count = static_cast<double>(cluster.contacts.size());
+  return approaches ? iterations * count * count : 0;
 }
 
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on

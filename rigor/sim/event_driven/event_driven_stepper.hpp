@@ -85,6 +85,7 @@ class EventDrivenStepper : public Stepper {
   std::vector<int> seeds_of(const QueuedEvent& event) const;
   bool is_stale(const QueuedEvent& event) const;
   void drop_stale_events();
+  double least_effort_of(const Cluster& cluster) const;
   void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
   void begin_new_window(int body);
   void add_body(int body, Cluster& cluster);

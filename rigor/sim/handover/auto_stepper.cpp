@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -164,7 +166,7 @@ AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look
   std::string cause = reason_to_return(begin, state.t, report);
   const std::string too_dear = reason_to_soften(begin, state.t, report);
   if (is_given_up || !too_dear.empty()) {
-    memory_ = {.carrier = Carrier::soft_steps};
+    memory_ = {.carrier = Carrier::soft_steps, .soft_step = soft_step_from(state)};
     cause = too_dear;
   } else if (!cause.empty()) {
     memory_ = {.owed_by_steps = memory_.owed_by_steps};
@@ -197,16 +199,21 @@ std::string AutoStepper::reason_to_soften(double begin, double now, const Advanc
       report.step_work, now - begin, memory_.owed_by_steps, bounds_.most_owed_by_steps);
 }
 
-/// How long soft steps may be [s]. What they stop goes deep by what it travels in about two sub-steps: in a
-/// step of six it goes no farther than a quarter of a body's thickness, as it moves now, so that it stops
-/// within a tenth. Of single bodies that are faster than sixteen times that, the witness takes care.
-double AutoStepper::soft_step(const State& state) const {
+/// How long soft steps may be from this State on [s]. What they stop goes deep by what it travels in about
+/// two sub-steps: in a step of six it goes no farther than a quarter of a body's thickness, as fast as it is
+/// or would be at the foot of the scene, so that it stops within a tenth. Springs of another step would have
+/// another energy in the same overlaps: the length stays for the rest of the run.
+double AutoStepper::soft_step_from(const State& state) const {
   constexpr double share = 0.25, least = 1.0 / 16;
+  double foot = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < model_->body_count(); ++i) foot = std::max(foot, model_->g_W().dot(state.position(i)));
   double shortest = target_step_;
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion != MotionType::dynamic || !(body.thickness > 0)) continue;
-    const double speed = linear_velocity(*model_, state, i).norm() +
+    const double v = linear_velocity(*model_, state, i).norm(),
+                 falls = foot - model_->g_W().dot(state.position(i)),
+                 speed = std::sqrt(v * v + 2 * falls) +
                          body.bounding_radius * angular_velocity(*model_, state, i).norm();
     if (speed * shortest > share * body.thickness) shortest = share * body.thickness / speed;
   }
@@ -216,7 +223,7 @@ double AutoStepper::soft_step(const State& state) const {
 AdvanceReport AutoStepper::go_by_soft_steps(State& state, double t_end, double t_look) {
   const double begin = state.t;
   last_ = &soft_steps();
-  soft_steps().set_longest_step(soft_step(state));
+  soft_steps().set_longest_step(std::min(memory_.soft_step, target_step_));
   AdvanceReport report = t_end > t_look + time_rounding() ? soft_steps().look(state, t_end, t_look)
                                                           : soft_steps().advance(state, t_end);
   if (leaves_nothing(report.reason)) return report;

@@ -64,7 +64,7 @@ class AutoStepper : public Stepper {
   AdvanceReport go_by_events(State& state, double t_end);
   AdvanceReport go_by_steps(State& state, double t_end, double t_look);
   AdvanceReport go_by_soft_steps(State& state, double t_end, double t_look);
-  double soft_step(const State& state) const;
+  double soft_step_from(const State& state) const;
   std::string reason_to_return(double begin, double now, const AdvanceReport& report);
   std::string reason_to_soften(double begin, double now, const AdvanceReport& report);
   TimeStepper& steps();

@@ -32,11 +32,10 @@ void SchemeSpan::add(const SchemeSpan& later) {
 void AdvanceReport::note_problem(std::size_t contact_count, int iterations) {
   const double count = static_cast<double>(contact_count);
   ++problems;
-  const double units = count * count * (1 + iterations);
-  effort += units;
-  // A unit takes 5 to 12 µs (docs/theory/handover.md), an operation a tenth of one.
-  constexpr double operations_of_a_unit = 100;
-  count_work(static_cast<std::uint64_t>(operations_of_a_unit * units));
+  effort += count * count * (1 + iterations);
+  // Impacts are solved where they act: their cost grows with the contacts, not with the square.
+  constexpr double operations = 10;  // Of a contact in an iteration.
+  count_work(static_cast<std::uint64_t>(operations * count * (1 + iterations)));
 }
 
 void AdvanceReport::note_span(const SchemeSpan& span) {
