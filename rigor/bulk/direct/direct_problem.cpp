@@ -65,7 +65,8 @@ std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& sta
   options.tolerance = 1e-9;
   options.least_norm = false;
 
-  // Proximal points, from what is given: where many contacts share loads, in half of the time of what follows.
+  // Proximal points, from what is given: where many contacts share loads, in half of the time of what
+  // follows.
   if (start.size() > 0) {
     CoulombOptions bold = options;
     bold.is_bold = true;

@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/jointed_matrix.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/math/dense.hpp"
 
 #include <cmath>
@@ -53,6 +54,8 @@ bool JointedMatrix::hold(const EliminationPattern& pattern, const JointTies::Tie
   const auto scaled = [this, &tie](std::size_t k) {
     return MatX(matrix_.scales().segment<6>(6 * tie.nodes[k]).asDiagonal() * tie.wrenches[k]);
   };
+  constexpr std::uint64_t operations = 30;  // Of the factors of a link's rows.
+  count_work(operations);
   NodeHold node_hold;
   MatX of_parent;
   if (!is_grounded) {

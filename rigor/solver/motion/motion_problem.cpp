@@ -50,8 +50,7 @@ class MotionSolver {
     const bool is_near = start_.size() > 0 && options_.resolution && are_masses_alike();
     if (is_frictionless() && is_dense_enough() && !is_near)
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
-    if (start_.size() > 0 && !options_.least_norm)
-      return is_near ? solve_to_resolution() : share_somehow();
+    if (start_.size() > 0 && !options_.least_norm) return is_near ? solve_to_resolution() : share_somehow();
 
     // The modes of a similar problem before, then that every contact holds: most problems are solved by that.
     if (!start.empty()) {
