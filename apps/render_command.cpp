@@ -62,12 +62,12 @@ std::optional<Vec3> parse_point(const char* option, const std::string& text) {
   return Vec3::Map(numbers->data());
 }
 
-CameraOptions camera_wishes(const RenderOptions& options) {
-  CameraOptions wishes{parse_point("--eye", options.eye), parse_point("--target", options.target), {}};
-  if (options.field_of_view) wishes.field_of_view = *options.field_of_view * M_PI / 180;
-  if (wishes.eye && wishes.target && *wishes.eye == *wishes.target)
+CameraOptions camera_options(const RenderOptions& options) {
+  CameraOptions camera{parse_point("--eye", options.eye), parse_point("--target", options.target), {}};
+  if (options.field_of_view) camera.field_of_view = *options.field_of_view * M_PI / 180;
+  if (camera.eye && camera.target && *camera.eye == *camera.target)
     throw UsageError("--eye and --target are the same point; give two");
-  return wishes;
+  return camera;
 }
 
 bool is_trajectory(const RenderOptions& options) {
@@ -176,7 +176,7 @@ void check_time(double time, const Recording& recording) {
 ExitCode execute(const RenderOptions& given) {
   const RenderOptions options = with_film(given);
   check_options(options);
-  const CameraOptions wishes = camera_wishes(options);
+  const CameraOptions camera = camera_options(options);
   const std::filesystem::path output = output_path(options);
   const bool is_film = !options.mp4.empty(), is_single = options.time.has_value();
   const bool is_sheet = !is_film && !is_single && !options.frames;
@@ -194,7 +194,7 @@ ExitCode execute(const RenderOptions& given) {
     if (!text.empty()) print_warning(text);
   }
   if (is_single) check_time(*options.time, recording);
-  Photographer photographer(recording, wishes, size);
+  Photographer photographer(recording, camera, size);
   if (is_sheet) {
     write_picture(output, photographer.sheet(find_key_moments(recording, sheet_pictures)));
   } else if (is_single) {

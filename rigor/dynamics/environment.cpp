@@ -116,12 +116,12 @@ void Environment::add_spring(const Spring& spring) {
     Acting& acting = acting_on(body);
     if (acting.springs.empty() || acting.springs.back() != number) acting.springs.push_back(number);
     const int other = body == spring.body_A ? spring.body_B : spring.body_A;
-    if (other == world_body) acting.is_tied_down = true;
-    if (other == world_body || other == body) continue;
-    if (model_->body(other).motion == MotionType::dynamic) {
+    if (other == body) continue;
+    if (other != world_body && model_->body(other).motion == MotionType::dynamic) {
       acting.spring_partners.push_back(other);
     } else {
       acting.is_tied_down = true;
+      acting.spring_anchors.push_back(other);
     }
   }
 }
@@ -135,13 +135,9 @@ void Environment::add_joints() {
     if (model_->joint(j).body_A == world_body || model_->joint(j).body_B == world_body)
       anchors.push_back(world_body);
     std::erase_if(bodies, [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
-    const std::vector<JointAxis>& axes = model_->joint(j).axes;
-    const bool has_stiffness =
-        std::any_of(axes.begin(), axes.end(), [](const JointAxis& axis) { return axis.stiffness > 0; });
     for (const int body : bodies) {
       Acting& acting = acting_on(body);
       acting.is_forced = acting.is_jointed = true;
-      acting.has_joint_stiffness = acting.has_joint_stiffness || has_stiffness;
       std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(acting.joint_partners),
                    [body](int other) { return other != body; });
       acting.joint_anchors.insert(acting.joint_anchors.end(), anchors.begin(), anchors.end());
@@ -151,6 +147,7 @@ void Environment::add_joints() {
   for (Acting& acting : acting_) {
     acting.joint_partners = sorted_unique(std::move(acting.joint_partners));
     acting.joint_anchors = sorted_unique(std::move(acting.joint_anchors));
+    acting.spring_anchors = sorted_unique(std::move(acting.spring_anchors));
   }
 }
 

@@ -64,13 +64,15 @@ class Environment {
   const std::vector<int>& joint_partners(int body) const { return acts_on(body).joint_partners; }
   /// Static and kinematic bodies, and `world_body`, to which joints tie this one, ascending.
   const std::vector<int>& joint_anchors(int body) const { return acts_on(body).joint_anchors; }
-  /// Whether nothing but contacts and the reactions and motors of joints can add to its kinetic energy and
-  /// its potential(): gravity and steady forces act besides them, and what only takes, drag and dampers of
-  /// joints.
+  /// Static and kinematic bodies, and `world_body`, to which springs tie this one, those of joints left out;
+  /// ascending.
+  const std::vector<int>& spring_anchors(int body) const { return acts_on(body).spring_anchors; }
+  /// Whether nothing but contacts and the reactions and motors of joints can add to its kinetic energy, its
+  /// potential() and that of its springs: gravity and steady forces act besides them, and what only takes,
+  /// drag and dampers.
   bool keeps_energy(int body) const {
     const Acting& acting = acts_on(body);
-    return acting.springs.empty() && !acting.has_joint_stiffness && acting.forces.empty() &&
-           acting.torques.empty();
+    return acting.forces.empty() && acting.torques.empty();
   }
 
   /// Forces on the listed bodies. `view(body)` must return the BodyView of these and of all bodies that
@@ -146,13 +148,13 @@ class Environment {
   /// Everything except gravity that acts on a body.
   struct Acting {
     std::optional<Vec3> steady;  ///< Acceleration, with gravity, where constant forces add to it [m/s²].
-    bool is_forced = false, is_jointed = false, has_joint_stiffness = false, is_tied_down = false;
+    bool is_forced = false, is_jointed = false, is_tied_down = false;
     bool leaves_own_forces = false;
     double stiff_rate = 0;
     double linear_drag = 0, angular_drag = 0;          ///< The first includes the damping of the momentum.
     std::vector<int> springs, joint_springs;           ///< Springs attached to it; joints with springs.
     std::vector<int> spring_partners, joint_partners;  ///< Ascending.
-    std::vector<int> joint_anchors;                    ///< Ascending.
+    std::vector<int> joint_anchors, spring_anchors;    ///< Ascending.
     std::vector<ConstantForce> forces;                 ///< All but the steady ones at the centre of mass.
     std::vector<ConstantTorque> torques;
   };

@@ -39,11 +39,12 @@ void append(const std::vector<double>& values, Bytes& bytes) {
   for (const double value : values) append(std::bit_cast<std::uint64_t>(value), 8, bytes);
 }
 
-/// Of any number: the checkpoint's own check tells what cannot be.
 HandoverMemory::Carrier carrier_of(double number) {
   using Carrier = HandoverMemory::Carrier;
-  if (number == static_cast<double>(Carrier::soft_steps)) return Carrier::soft_steps;
-  return number == static_cast<double>(Carrier::steps) ? Carrier::steps : Carrier::events;
+  for (const Carrier carrier : {Carrier::events, Carrier::steps, Carrier::soft_steps}) {
+    if (number == static_cast<double>(carrier)) return carrier;
+  }
+  throw InputError("state: damaged, no scheme has the number " + std::to_string(number));
 }
 
 std::uint64_t read_number(const Bytes& bytes, std::size_t at, std::size_t length) {

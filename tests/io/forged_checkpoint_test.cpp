@@ -109,6 +109,10 @@ TEST(ForgedCheckpoint, OfTheEventDrivenSchemeIsRefusedOrRuns) {
 TEST(ForgedCheckpoint, OfTheSubstepSolverIsRefusedOrRuns) {
   try_forgeries("{scheme: time-stepping, solver: substep}", 400, 15, 2);
 }
+TEST(ForgedCheckpoint, OfAutoIsRefusedOrRuns) {
+  try_forgeries("{scheme: auto}", 200, 10, 4);
+  try_forgeries("{scheme: auto, last_resort: none}", 100, 5, 5);
+}
 TEST(ForgedCheckpoint, OfThePenaltySchemeIsRefusedOrRuns) {
   try_forgeries("{scheme: penalty, penalty: local}", 200, 10, 3);
 }
@@ -165,6 +169,15 @@ TEST(ForgedCheckpoint, NamesWhatCannotBe) {
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.sim_time = -1; }), "its audit has a negative time");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.state.handover.owed = -1; }),
             "the work that it remembers is negative or beyond any run");
+  using Carrier = HandoverMemory::Carrier;
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.handover.carrier = Carrier::soft_steps; }),
+            "the length of its soft steps is 0 s");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.handover.soft_step = 0.01; }),
+            "the length of its soft steps is 0.01 s");
+  EXPECT_EQ(refusal([](Checkpoint& c) {
+              c.audit.report.spans = {{.scheme = Scheme::time_stepping, .solver = SolverMethod(3)}};
+            }),
+            "a span of its schemes names a solver that does not exist");
   EXPECT_EQ(refusal([](Checkpoint& c) {
               c.audit.report.spans = {{.begin = 0, .end = 2}, {.begin = 1, .end = 3}};
             }),

@@ -319,6 +319,7 @@ TEST(Handover, StepsThatAreTooDearAreFollowedBySoftOnes) {
     SCOPED_TRACE(seed);
     const std::shared_ptr<const Model> model = pile(seed, 4);
     const double most_owed = 2e4;
+    double soft_step = 0;
     State state = make_initial_state(*model), on_threads = state, resumed = state;
     Auditor auditor(model, automatic(), state);
     const std::unique_ptr<Stepper> stepper = stepper_of_steps(model, most_owed),
@@ -327,11 +328,20 @@ TEST(Handover, StepsThatAreTooDearAreFollowedBySoftOnes) {
       const AdvanceReport report = stepper->advance(state, k * interval);
       ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
       auditor.observe(state, report);
+      if (soft_step > 0) {
+        EXPECT_EQ(state.handover.soft_step, soft_step);
+      }
+      soft_step = state.handover.soft_step;
       // The same bits on threads, and by a stepper that knows the State alone.
       threaded->advance(on_threads, k * interval);
       stepper_of_steps(model, most_owed)->advance(resumed, k * interval);
       ASSERT_EQ(state, on_threads);
       ASSERT_EQ(state, resumed);
+    }
+    // Soft steps are no longer than the scene's, and of one length.
+    if (soft_step > 0) {
+      EXPECT_GE(soft_step, step / 16);
+      EXPECT_LE(soft_step, step);
     }
     // Each span is judged by what carried it, and soft steps carry to the end.
     const Audit audit = auditor.audit(state);
@@ -371,6 +381,31 @@ TEST(Handover, AStepThatAloneIsTooDearIsGivenUp) {
     for (int body = 1; body < model->body_count(); ++body)
       EXPECT_LE((by_auto.position(body) - by_steps.position(body)).norm(), 1e-12);
   }
+}
+
+TEST(Handover, AnImpactThatIsTooDearIsNotBegun) {
+  // Ten iterations of four contacts are beyond what may be owed: the first impact of a box is left to steps,
+  // with the momentum with which the box came.
+  const std::shared_ptr<const Model> model = pile(2, 1);
+  State state = make_initial_state(*model);
+  Auditor auditor(model, automatic(), state);
+  const std::unique_ptr<AutoStepper> stepper =
+      auto_stepper(model, {.paid_by_events = 1, .most_owed = 0, .paid_by_steps = 1});
+  const AdvanceReport report = stepper->advance(state, 0.5);
+  auditor.observe(state, report);
+  ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
+  ASSERT_GE(report.spans.size(), 2u);
+  EXPECT_EQ(report.spans[0].scheme, Scheme::event_driven);
+  EXPECT_EQ(report.spans[0].impacts, 0);
+  EXPECT_NE(report.spans[0].end_cause.find("events crowd"), std::string::npos);
+  EXPECT_GT(report.spans[0].end, 0);
+  EXPECT_LT(report.spans[0].end, 0.5);
+  // Until the impact the box has only fallen.
+  const double g = 9.81, m = model->body(1).mass, t = report.spans[0].end;
+  State at_impact = make_initial_state(*model);
+  auto_stepper(model, {.paid_by_events = 1, .most_owed = 0, .paid_by_steps = 1})->advance(at_impact, t);
+  EXPECT_NEAR(at_impact.linear_momentum(1).z(), -m * g * t, 1e-12 * m * g);
+  EXPECT_EQ(auditor.audit(state).violations, std::vector<std::string>{});
 }
 
 TEST(Handover, WhoWantsExactStepsHasNoLastResort) {

@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/jointed_matrix.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/solver/linear/node_system.hpp"
 #include "solver/jointed_scenes.hpp"
 
@@ -85,6 +86,28 @@ TEST(JointedMatrix, SolvesOnTheMotionsThatJointsAllow) {
   }
   EXPECT_GE(possible, 55);
   EXPECT_GE(with_loops, 10);
+}
+
+TEST(JointedMatrix, CountsWorkInProportionToTheLinksOfAChain) {
+  const auto work_of = [](int links) {
+    JointedScene scene;
+    for (int i = 0; i < links; ++i) {
+      scene.bodies.push_back(
+          {1, scenes::box_inertia(1, Vec3(1.0, 0.8, 0.6)), Vec3(i, 0, 0), Vec3(0, 0, -9.81)});
+      if (i > 0) scene.joints.push_back({i - 1, i, Vec3(i - 0.5, 0, 0), Vec3(0, 0, 0)});
+      scenes::add_face(scene, -1, i, Vec3(i, 0, -0.4), Vec2(0.5, 0.4), 2, 0.5);
+    }
+    const ContactRows rows = scenes::motion_problem_of(scene).rows;
+    const std::uint64_t before = work_counted();
+    const EliminationPattern pattern = elimination_pattern(rows);
+    JointedMatrix matrix(rows, pattern, 1);
+    EXPECT_TRUE(matrix.factor(std::vector<Mat3>(rows.contacts.size(), Mat3::Identity()), true));
+    return static_cast<double>(work_counted() - before);
+  };
+  // At least the factors of each link.
+  EXPECT_GE(work_of(10), 10);
+  EXPECT_GE(work_of(80), 6 * work_of(10));
+  EXPECT_LE(work_of(80), 10 * work_of(10));
 }
 
 /// The diagonal of J (M⁻¹ - M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁺ G M⁻¹) Jᵀ, from responses along the trees.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/bulk/joints/anchor_resistance.hpp"
 #include "rigor/bulk/joints/joint_factors.hpp"
 #include "rigor/bulk/joints/joint_rotations.hpp"
 
@@ -29,31 +30,19 @@ RIGOR_FLOAT_LANES FloatVec3 solve_rotation(const BallLanes& ball, FloatVec3 x) {
 /// parent.
 RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                    BallLanes& ball) {
-  // To the anchor, v = u + r × ω: Hᵀ = B - r~ M and J = A_ωω + Hᵀ r~ + (B r~)ᵀ.
   const FloatLanes* A = child.resistance;
-  const FloatVec3& r = ball.arm_child;
-  const FloatVec3 M[3] = {{A[0], A[1], A[3]}, {A[1], A[2], A[4]}, {A[3], A[4], A[5]}};
-  const FloatVec3 B[3] = {{A[6], A[10], A[15]}, {A[7], A[11], A[16]}, {A[8], A[12], A[17]}};  // Columns.
-  FloatVec3 H[3];                                                                             // Rows.
-  for (int j = 0; j < 3; ++j) H[j] = B[j] - cross(r, M[j]);
-  const FloatVec3 x = cross(FloatVec3{H[0].x, H[1].x, H[2].x}, r);
-  const FloatVec3 y = cross(FloatVec3{H[0].y, H[1].y, H[2].y}, r);
-  const FloatVec3 z = cross(FloatVec3{H[0].z, H[1].z, H[2].z}, r);
-  const FloatVec3 Bx = cross(FloatVec3{B[0].x, B[1].x, B[2].x}, r);
-  const FloatVec3 By = cross(FloatVec3{B[0].y, B[1].y, B[2].y}, r);
-  const FloatVec3 Bz = cross(FloatVec3{B[0].z, B[1].z, B[2].z}, r);
-  const FloatLanes xx = A[9] + x.x + Bx.x;
-  const FloatLanes yx = A[13] + y.x + Bx.y, yy = A[14] + y.y + By.y;
-  const FloatLanes zx = A[18] + z.x + Bx.z, zy = A[19] + z.y + By.z, zz = A[20] + z.z + Bz.z;
+  const AnchorResistance all = resistance_at(ball.arm_child, A);
+  const FloatVec3* H = all.H;
+  const FloatSym3& J = all.J;
 
   // J = L D Lᵀ.
-  ball.inverse_D[0] = 1.0F / xx;
-  ball.L[0] = yx * ball.inverse_D[0];
-  ball.L[1] = zx * ball.inverse_D[0];
-  const FloatLanes zy_rest = zy - ball.L[1] * yx;
-  ball.inverse_D[1] = 1.0F / (yy - ball.L[0] * yx);
+  ball.inverse_D[0] = 1.0F / J.xx;
+  ball.L[0] = J.xy * ball.inverse_D[0];
+  ball.L[1] = J.xz * ball.inverse_D[0];
+  const FloatLanes zy_rest = J.yz - ball.L[1] * J.xy;
+  ball.inverse_D[1] = 1.0F / (J.yy - ball.L[0] * J.xy);
   ball.L[2] = zy_rest * ball.inverse_D[1];
-  ball.inverse_D[2] = 1.0F / (zz - ball.L[1] * zx - ball.L[2] * zy_rest);
+  ball.inverse_D[2] = 1.0F / (J.zz - ball.L[1] * J.xz - ball.L[2] * zy_rest);
 
   // S = M - H J⁻¹ Hᵀ.
   for (int j = 0; j < 3; ++j) ball.G[j] = solve_rotation(ball, H[j]);
@@ -126,12 +115,7 @@ RIGOR_FLOAT_LANES void gather_ball(const JointLink& link, const JointSlot& child
   // The parent feels q - S b at its anchor.
   const FloatVec3 f = ball.pull - ball.S * ball.wanted;
   const FloatVec3 about = cross(ball.arm_parent, f);
-  parent.push[0] += f.x;
-  parent.push[1] += f.y;
-  parent.push[2] += f.z;
-  parent.push[3] += about.x;
-  parent.push[4] += about.y;
-  parent.push[5] += about.z;
+  add_push(f, about, parent);
 }
 
 /// On the way back: the change of the child and the impulse of the joint.
@@ -147,12 +131,7 @@ RIGOR_FLOAT_LANES void spread_ball(const JointLink& link, const JointSlot& paren
   // Δω = J⁻¹ (p_ω - Hᵀ u), Δv = u + r × Δω.
   const FloatVec3 w = ball.free_dw - (u.x * ball.G[0] + (u.y * ball.G[1] + u.z * ball.G[2]));
   const FloatVec3 v = u + cross(ball.arm_child, w);
-  child.change[0] = v.x;
-  child.change[1] = v.y;
-  child.change[2] = v.z;
-  child.change[3] = w.x;
-  child.change[4] = w.y;
-  child.change[5] = w.z;
+  set_change(v, w, child);
 
   // λ = S u - q, on the child.
   const FloatVec3 impulse = ball.S * u - ball.pull;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/joints/joint_lanes.hpp"
+#include "rigor/bulk/joints/anchor_resistance.hpp"
 
 namespace rigor {
 
@@ -9,37 +9,6 @@ namespace rigor {
 
 /// The rows of a hinge.
 constexpr int kHingeSwing = 3, kHingeLaw = 5;
-
-/// Force and torque of a resistance at the anchor to (u, ω).
-RIGOR_FLOAT_LANES void resist(const AnchorResistance& A, const FloatVec3& u, const FloatVec3& w,
-                              FloatVec3& force, FloatVec3& torque) {
-  force = A.M * u + FloatVec3{dot(A.H[0], w), dot(A.H[1], w), dot(A.H[2], w)};
-  torque = (u.x * A.H[0] + (u.y * A.H[1] + u.z * A.H[2])) + A.J * w;
-}
-
-/// The resistance A of a body, lower triangle, at an anchor at r from its centre: v = u + r × ω.
-RIGOR_FLOAT_LANES AnchorResistance resistance_at(const FloatVec3& r, const FloatLanes* A) {
-  // Hᵀ = B - r~ M and J = A_ωω + Hᵀ r~ + (B r~)ᵀ, as of a ball.
-  const FloatVec3 M[3] = {{A[0], A[1], A[3]}, {A[1], A[2], A[4]}, {A[3], A[4], A[5]}};
-  const FloatVec3 B[3] = {{A[6], A[10], A[15]}, {A[7], A[11], A[16]}, {A[8], A[12], A[17]}};  // Columns.
-  AnchorResistance at;
-  at.M = {A[0], A[2], A[5], A[1], A[3], A[4]};
-  for (int j = 0; j < 3; ++j) at.H[j] = B[j] - cross(r, M[j]);
-  const FloatVec3* H = at.H;
-  const FloatVec3 x = cross(FloatVec3{H[0].x, H[1].x, H[2].x}, r),
-                  y = cross(FloatVec3{H[0].y, H[1].y, H[2].y}, r),
-                  z = cross(FloatVec3{H[0].z, H[1].z, H[2].z}, r);
-  const FloatVec3 Bx = cross(FloatVec3{B[0].x, B[1].x, B[2].x}, r),
-                  By = cross(FloatVec3{B[0].y, B[1].y, B[2].y}, r),
-                  Bz = cross(FloatVec3{B[0].z, B[1].z, B[2].z}, r);
-  at.J.xx = A[9] + x.x + Bx.x;
-  at.J.xy = A[13] + y.x + Bx.y;
-  at.J.yy = A[14] + y.y + By.y;
-  at.J.xz = A[18] + z.x + Bx.z;
-  at.J.yz = A[19] + z.y + By.z;
-  at.J.zz = A[20] + z.z + Bz.z;
-  return at;
-}
 
 /// Adds a resistance at the anchor to that of a body, whose centre is at -s from it.
 RIGOR_FLOAT_LANES void add_resistance_at(const FloatVec3& s, const AnchorResistance& A, FloatLanes* P) {
@@ -83,6 +52,16 @@ RIGOR_FLOAT_LANES FloatVec3 arm_of(const FloatVec3* a) {
   return {a[1].z, -a[0].z, a[0].y};
 }
 
+/// S - a bᵀ, where a and b are parallel.
+RIGOR_FLOAT_LANES void subtract_outer(const FloatVec3& a, const FloatVec3& b, FloatSym3& S) {
+  S.xx -= a.x * b.x;
+  S.xy -= a.x * b.y;
+  S.yy -= a.y * b.y;
+  S.xz -= a.x * b.z;
+  S.yz -= a.y * b.z;
+  S.zz -= a.z * b.z;
+}
+
 /// Factors of one joint, whose child has all of its resistance; adds what is left of that to the parent's.
 /// Where the law is off the child rotates freely about the axis s, and the anchor resists with
 /// A - A s sᵀ A / sᵀ A s; where it is on only as far as it is soft.
@@ -109,21 +88,11 @@ RIGOR_FLOAT_LANES void factor_hinge(const JointLink& link, const JointSlot& chil
   // What the parent feels.
   const FloatVec3 &f = hinge.axis_force, &t = hinge.axis_torque, a = hinge.yields * f, b = hinge.yields * t;
   AnchorResistance left = all;
-  left.M.xx -= a.x * f.x;
-  left.M.xy -= a.x * f.y;
-  left.M.yy -= a.y * f.y;
-  left.M.xz -= a.x * f.z;
-  left.M.yz -= a.y * f.z;
-  left.M.zz -= a.z * f.z;
+  subtract_outer(a, f, left.M);
   left.H[0] = left.H[0] - a.x * t;
   left.H[1] = left.H[1] - a.y * t;
   left.H[2] = left.H[2] - a.z * t;
-  left.J.xx -= b.x * t.x;
-  left.J.xy -= b.x * t.y;
-  left.J.yy -= b.y * t.y;
-  left.J.xz -= b.x * t.z;
-  left.J.yz -= b.y * t.z;
-  left.J.zz -= b.z * t.z;
+  subtract_outer(b, t, left.J);
   add_resistance_at(hinge.arm_parent, left, parent.resistance);
 }
 
@@ -154,12 +123,7 @@ RIGOR_FLOAT_LANES void gather_hinge(const JointLink& link, const JointSlot& chil
   const FloatLanes turn = hinge.follows * hinge.wanted_turn + hinge.yields * hinge.about_axis;
   const FloatVec3 f = hinge.force - turn * hinge.axis_force;
   const FloatVec3 about = (hinge.torque - turn * hinge.axis_torque) + cross(hinge.arm_parent, f);
-  parent.push[0] += f.x;
-  parent.push[1] += f.y;
-  parent.push[2] += f.z;
-  parent.push[3] += about.x;
-  parent.push[4] += about.y;
-  parent.push[5] += about.z;
+  add_push(f, about, parent);
 }
 
 /// On the way back: the change of the child and the impulses of the joint.
@@ -191,12 +155,7 @@ RIGOR_FLOAT_LANES void spread_hinge(const JointLink& link, const JointSlot& pare
   // The change of the child, Δv = u + r × Δω.
   w = w + hinge.wanted_w;
   const FloatVec3 v = u + hinge.wanted_u + cross(hinge.arm_child, w);
-  child.change[0] = v.x;
-  child.change[1] = v.y;
-  child.change[2] = v.z;
-  child.change[3] = w.x;
-  child.change[4] = w.y;
-  child.change[5] = w.z;
+  set_change(v, w, child);
 }
 
 }  // namespace rigor

@@ -47,7 +47,6 @@ SchemePromises bulk_promises(const Model& model) {
         model.body(i).mass * environment.steady_acceleration(i).norm() * model.length_scale();
   // Velocities of 32 bits are rounded in each sweep.
   promises.rounding_share = 0x1p-24;
-  promises.roundings_per_sweep = 1;
   promises.joint_drift = 1e-2 * std::max(1.0, model.length_scale());
   // Its contacts give way; deeper than this they have failed.
   promises.penetration_share = 0.25;

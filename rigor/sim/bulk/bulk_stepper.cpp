@@ -135,10 +135,11 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
         {MotionEvent::Kind::impact, t_end, impact.body_A, impact.body_B, impact.p_W, impact.j_W});
   }
   report_.momentum_error += step.momentum_error;
-  report_.rounded_momentum += step.rounded_momentum;
   report_.work += step.work;
   // Each sub-step sweeps twice: with the springs, and without them.
-  report_.max_iterations = 2 * settings_.substeps;
+  const int sweeps = 2 * settings_.substeps;
+  report_.max_iterations = sweeps;
+  report_.rounded_momentum += sweeps * step.rounded_momentum;
   report_.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
   if (step.worst_A >= 0) report_.note_overlap(*model_, step.worst_overlap, step.worst_A, step.worst_B, t);
   report_.note_joint_drift(step.max_joint_error, step.worst_joint);

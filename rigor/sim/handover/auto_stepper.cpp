@@ -79,7 +79,10 @@ AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
   const State before = state;
   // The schemes see a State without memory, so that each finds the one that it left.
   memory_ = std::exchange(state.handover, {});
-  if (!events_ && memory_.carrier == Carrier::events) memory_.carrier = Carrier::steps;
+  // A run without events begins with steps; and a checkpoint may name a carrier that this run has not.
+  const bool is_missing = (memory_.carrier == Carrier::events && !events_) ||
+                          (memory_.carrier == Carrier::soft_steps && !choice_.soft_steps);
+  if (is_missing) memory_ = {.carrier = Carrier::steps};
   t_ = state.t;
   AdvanceReport report;
   const auto is_left = [&] {
@@ -165,7 +168,8 @@ AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look
 
   std::string cause = reason_to_return(begin, state.t, report);
   const std::string too_dear = reason_to_soften(begin, state.t, report);
-  if (is_given_up || !too_dear.empty()) {
+  RIGOR_ASSERT(!is_given_up || !too_dear.empty());
+  if (!too_dear.empty()) {
     memory_ = {.carrier = Carrier::soft_steps, .soft_step = soft_step_from(state)};
     cause = too_dear;
   } else if (!cause.empty()) {
@@ -194,8 +198,7 @@ std::string AutoStepper::reason_to_soften(double begin, double now, const Advanc
   if (!choice_.soft_steps || memory_.owed_by_steps <= bounds_.most_owed_by_steps) return {};
   return fmt::format(
       "exact steps take too long: {:.3g} operations for {:.3g} s; what time has not paid for, {:.3g}, is "
-      "above "
-      "{:.3g} (method.last_resort=none goes on by them all the same)",
+      "above {:.3g} (method.last_resort=none goes on by them all the same)",
       report.step_work, now - begin, memory_.owed_by_steps, bounds_.most_owed_by_steps);
 }
 

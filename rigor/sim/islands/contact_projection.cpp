@@ -82,8 +82,8 @@ bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& repor
   const EnergyBalance balance =
       energy_balance(model_, environment_, cluster.t, cluster.bodies, cluster.contacts);
   if (!balance.is_closed) return true;
-  const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -
-                        energy_of_bodies(model_, environment_, cluster.bodies, before);
+  const double gained = energy_of_bodies(model_, environment_, cluster.t, cluster.bodies, cluster.phases) -
+                        energy_of_bodies(model_, environment_, cluster.t, cluster.bodies, before);
   if (gained <= 0) return true;
   const TakenEnergy taken = take_kinetic_energy(model_, cluster.bodies, gained, balance, cluster.phases);
   // Bodies that hardly move cannot pay. They may stay as they are, unless the overlap is more than is

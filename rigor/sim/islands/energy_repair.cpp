@@ -2,6 +2,7 @@
 
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
@@ -64,9 +65,14 @@ struct Group {
 
 }  // namespace
 
-double energy_of_bodies(const Model& model, const Environment& environment, const std::vector<int>& bodies,
-                        const std::vector<BodyPhase>& phases) {
-  double energy = 0;
+double energy_of_bodies(const Model& model, const Environment& environment, double t,
+                        const std::vector<int>& bodies, const std::vector<BodyPhase>& phases) {
+  // Springs may tie bodies to prescribed ones.
+  const auto view = [&](int body) {
+    if (!holds(bodies, body)) return view_of(prescribed_kinetics(model.body(body), t));
+    return view_of(dynamic_kinetics(model.body(body), phases[place_of(bodies, body)]));
+  };
+  double energy = environment.spring_energy_of(bodies, view);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = model.body(bodies[i]);
     energy += kinetic_energy(BodyInertia{body.mass, body.moments}, phases[i]) +
@@ -77,7 +83,7 @@ double energy_of_bodies(const Model& model, const Environment& environment, cons
 
 EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
                              const std::vector<int>& bodies, const std::vector<Contact>& contacts) {
-  // Springs and forces without a potential.
+  // Forces without a potential.
   EnergyBalance balance{true, true, {}};
   for (const int body : bodies) balance.is_closed = balance.is_closed && environment.keeps_energy(body);
 
@@ -100,6 +106,14 @@ EnergyBalance energy_balance(const Model& model, const Environment& environment,
   }
   for (const int body : bodies)
     for (const int anchor : environment.joint_anchors(body)) add_prescribed(anchor);
+
+  // What moves the other end of a spring works on it.
+  for (const int body : bodies) {
+    for (const int anchor : environment.spring_anchors(body)) {
+      add_prescribed(anchor);
+      balance.is_closed = balance.is_closed && balance.carrier.v.isZero(0) && balance.carrier.w.isZero(0);
+    }
+  }
   return balance;
 }
 
@@ -146,11 +160,13 @@ bool pay_for_correction(const Model& model, const Environment& environment, cons
   if (!balance.is_closed) return true;
 
   // What the corrections have added.
-  const auto energy = [&](const std::vector<BodyPhase>& phases) {
-    return energy_of_bodies(model, environment, island.bodies, phases);
+  const auto energy = [&](double t, const std::vector<BodyPhase>& phases) {
+    return energy_of_bodies(model, environment, t, island.bodies, phases);
   };
+  const double end = island.begin + step.h;
   const double gained =
-      energy(step.end) - std::max(energy(uncorrected), energy(island.start) + step.work.supplied);
+      energy(end, step.end) -
+      std::max(energy(end, uncorrected), energy(island.begin, island.start) + step.work.supplied);
   if (gained <= 0) return true;
 
   // All of it is taken, or nothing.

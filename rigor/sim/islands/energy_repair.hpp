@@ -8,9 +8,10 @@
 
 namespace rigor {
 
-/// Kinetic energy, and potential energy of gravity and steady forces, of some bodies [J].
-double energy_of_bodies(const Model& model, const Environment& environment, const std::vector<int>& bodies,
-                        const std::vector<BodyPhase>& phases);
+/// Kinetic energy, and potential energy of gravity, steady forces and springs, of dynamic bodies in these
+/// phases at time t, with all that springs tie to them [J]. bodies: ascending.
+double energy_of_bodies(const Model& model, const Environment& environment, double t,
+                        const std::vector<int>& bodies, const std::vector<BodyPhase>& phases);
 
 /// A motion as one rigid body: the velocity v [m/s] of the point at `centre` [m], and w [rad/s].
 struct RigidVelocity {
@@ -19,7 +20,8 @@ struct RigidVelocity {
 
 /// Whether the energy of bodies is theirs to account for.
 struct EnergyBalance {
-  /// Nothing acts but gravity, steady forces and contacts with what stands still or moves as one body.
+  /// Nothing acts but gravity, steady forces, springs to what stands still, and contacts with what stands
+  /// still or moves as one body.
   bool is_closed = false;
   bool is_free = false;   ///< They touch no prescribed body.
   RigidVelocity carrier;  ///< How the prescribed bodies move that they touch, if it is as one.

@@ -173,9 +173,10 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
 
   // No energy comes of the step where nothing supplies any.
   if (balance.is_closed) {
-    const double gained = energy_of_bodies(model_, environment_, island.bodies, step.end) -
-                          energy_of_bodies(model_, environment_, island.bodies, island.start) -
-                          step.work.supplied;
+    const double gained =
+        energy_of_bodies(model_, environment_, island.begin + step.h, island.bodies, step.end) -
+        energy_of_bodies(model_, environment_, island.begin, island.bodies, island.start) -
+        step.work.supplied;
     if (gained > 0)
       step.work.supplied += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
   }

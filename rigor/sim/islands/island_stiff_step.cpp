@@ -148,7 +148,7 @@ double IslandIntegrator::spring_energy_of(const Island& island, double t,
 /// Kinetic, potential and elastic energy [J].
 double IslandIntegrator::energy_of(const Island& island, double t,
                                    const std::vector<BodyPhase>& phases) const {
-  return energy_of_bodies(model_, environment_, island.bodies, phases) + spring_energy_of(island, t, phases);
+  return energy_of_bodies(model_, environment_, t, island.bodies, phases);
 }
 
 /// What nothing accounts for of the energy that a step has added, and the size of what it has moved [J].

@@ -122,7 +122,7 @@ struct AdvanceReport {
   Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
 
-  /// Momenta and impulses that steps in 32 bits have rounded, summed over all steps [kg m/s].
+  /// Momenta and impulses that steps in 32 bits have rounded, summed over their sweeps [kg m/s].
   double rounded_momentum = 0;
 
   double max_residual = 0;  ///< Largest relative residual of a contact problem.

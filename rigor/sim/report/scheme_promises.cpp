@@ -11,7 +11,6 @@ SchemePromises weaker_of(const SchemePromises& a, const SchemePromises& b) {
           .energy_floor = std::max(a.energy_floor, b.energy_floor),
           .momentum_share = std::max(a.momentum_share, b.momentum_share),
           .rounding_share = std::max(a.rounding_share, b.rounding_share),
-          .roundings_per_sweep = std::max(a.roundings_per_sweep, b.roundings_per_sweep),
           .weight_share = std::max(a.weight_share, b.weight_share),
           .force_doubt = std::max(a.force_doubt, b.force_doubt),
           .joint_drift = std::max(a.joint_drift, b.joint_drift),

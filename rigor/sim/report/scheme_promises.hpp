@@ -18,10 +18,10 @@ struct SchemePromises {
   double energy_floor = 0;  ///< [J].
   /// Error of the momenta, relative to those of the run.
   double momentum_share = 1e-6;
-  /// The same of the linear momentum where velocities are rounded in every sweep over the contacts, by
-  /// `roundings_per_sweep` of this share, relative to what was rounded (AdvanceReport::rounded_momentum). A
-  /// body that rests or rolls is rounded to the same side in every step. 0: they are not.
-  double rounding_share = 0, roundings_per_sweep = 0;
+  /// The same of the linear momentum where velocities are rounded in every sweep over the contacts, relative
+  /// to what was rounded (AdvanceReport::rounded_momentum). A body that rests or rolls is rounded to the same
+  /// side in every step. 0: they are not.
+  double rounding_share = 0;
   /// Error of the momenta besides, relative to the impulse that the weights of all bodies give in the run.
   double weight_share = 0;
   /// How well contact forces determine accelerations, as a share of those of the bodies' weights.

@@ -21,8 +21,8 @@ void TimeStepper::take_gain(Trial& trial) const {
     // What the part has gained beyond the work that it was done.
     std::vector<BodyPhase> phases;
     for (const int body : part.bodies) phases.push_back(trial.end.phase_of(body));
-    const double gained = energy_of_bodies(*model_, environment_, part.bodies, phases) -
-                          energy_of_bodies(*model_, environment_, part.bodies, part.phases) -
+    const double gained = energy_of_bodies(*model_, environment_, trial.end.t, part.bodies, phases) -
+                          energy_of_bodies(*model_, environment_, part.t, part.bodies, part.phases) -
                           trial.moved[k]->report.work;
     if (!(gained > 0)) continue;
     const TakenEnergy taken =
