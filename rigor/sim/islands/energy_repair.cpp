@@ -1,5 +1,6 @@
 #include "rigor/sim/islands/energy_repair.hpp"
 
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/contact_system_assembler.hpp"
