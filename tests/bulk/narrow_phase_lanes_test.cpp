@@ -161,7 +161,7 @@ TEST(NarrowPhaseLanes, PlacedColumnsAndListsAreThoseOfSinglePoints) {
     find_heights(points, n, offsets.data(), target, heights.data());
     find_heights(points, n, nullptr, target, plain.data());
     std::vector<int> above, expected;
-    list_above(heights, 0.1f, plain, -0.2f, 37, target, above);
+    list_above({heights, 0.1f}, {plain, -0.2f}, 37, target, above);
     for (int k = 0; k < 40; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const Vec3f p(columns[0][i], columns[1][i], columns[2][i]);

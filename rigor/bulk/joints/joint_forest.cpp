@@ -243,6 +243,7 @@ std::vector<std::vector<int>> find_loops(const std::vector<int>& closing, const 
     if (found != loops.end()) found->second.push_back(static_cast<int>(j));
   }
   std::vector<std::vector<int>> joints;
+  joints.reserve(loops.size());
   for (auto& [first, members] : loops) joints.push_back(std::move(members));
   return joints;
 }

@@ -42,7 +42,7 @@ SeparatingAxis find_best_face(const DirectionBounds& bounds, float least, std::v
   best.separation = least;
   const float slack = 4 * bounds.pair.rounding;
   // Faces that pass both bounds are listed in lanes; the bounds are tested again as the best grows.
-  list_above(bounds.along, bounds.balls + least - slack, bounds.heights, least - slack,
+  list_above({bounds.along, bounds.balls + least - slack}, {bounds.heights, least - slack},
              bounds.core().hull->face_count, best_lane_target(), listed);
   for (const int f : listed) {
     if (bounds.of_face(f) <= best.separation - slack) continue;
@@ -82,7 +82,8 @@ void list_high_edges(const DirectionBounds& bounds, float least, std::vector<int
   // Edges around the faces that are not low, each from one of its faces; and all edges between low faces at
   // an obtuse angle.
   const auto is_high = [&](int f) { return bounds.heights[at(f)] > low; };
-  list_above(bounds.heights, low, bounds.heights, low, hull.face_count, best_lane_target(), faces);
+  const LevelColumn high{bounds.heights, low};
+  list_above(high, high, hull.face_count, best_lane_target(), faces);
   for (const int f : faces) {
     for (const int e : hull.border_edges(f)) {
       const FloatHull::Edge& edge = hull.edges[at(e)];

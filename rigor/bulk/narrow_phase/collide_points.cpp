@@ -43,17 +43,17 @@ std::array<int, 4> choose_four(const Vec3f& normal, float equal_depth,
                                const std::vector<ManifoldCandidate>& candidates) {
   const auto point = [&](int k) -> const Vec3f& { return candidates[at(k)].p; };
   std::array<int, 4> chosen = {find_deepest(candidates, equal_depth), -1, -1, -1};
-  const Vec3f p0 = point(chosen[0]);
+  const Vec3f& p0 = point(chosen[0]);
   // The one farthest from the deepest.
   chosen[1] = find_largest(candidates, [&](const Vec3f& p) { return (p - p0).squaredNorm(); });
   if (chosen[1] < 0) return chosen;
   // The one that makes the largest triangle with them; the measure is twice its area, positive to the left.
-  const Vec3f p1 = point(chosen[1]);
+  const Vec3f& p1 = point(chosen[1]);
   const Vec3f left = normal.cross(p1 - p0);
   chosen[2] = find_largest(candidates, [&](const Vec3f& p) { return std::abs(left.dot(p - p0)); });
   if (chosen[2] >= 0) {
     // The one that adds most to the triangle: the farthest beyond one of its sides.
-    const Vec3f p2 = point(chosen[2]);
+    const Vec3f& p2 = point(chosen[2]);
     const float turn = left.dot(p2 - p0) > 0 ? 1.0f : -1.0f;
     const Vec3f right_01 = -turn * left;
     const Vec3f right_12 = -turn * normal.cross(p2 - p1), right_20 = -turn * normal.cross(p0 - p2);

@@ -281,7 +281,7 @@ std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margi
   const bool is_apart = axis.separation > 0;
   // Two edges: a face nearly as good, or the point where they cross, or the nearest edges.
   if (axis.kind == SeparatingAxis::Kind::edges) {
-    if (const std::optional<Vec3f> n = prefer_face(axis, margin, pair)) return n;
+    if (std::optional<Vec3f> n = prefer_face(axis, margin, pair)) return n;
     if (cross_edges(axis, pair)) return axis.n;
     return join_nearest_edges(axis.n, axis.separation, margin, pair);
   }

@@ -16,10 +16,10 @@ struct CoreSegment {
   Vec3f p, u;
 };
 
-CoreSegment core_segment(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
-  const Vec3f axis(placed.R[2], placed.R[5], placed.R[8]);
-  const Vec3f half = shape.extent * axis;
-  return {p_OB + placed.position() - half, 2 * half};
+CoreSegment core_segment(const PlacedRound& round, const Vec3f& p_OB) {
+  const Vec3f axis(round.placed.R[2], round.placed.R[5], round.placed.R[8]);
+  const Vec3f half = round.shape.extent * axis;
+  return {p_OB + round.placed.position() - half, 2 * half};
 }
 
 /// A unit vector across both segments, or across the one that has a length.
@@ -46,11 +46,12 @@ bool find_side_by_side(const CoreSegment& a, const CoreSegment& b, std::array<fl
 
 }  // namespace
 
-std::optional<Vec3f> find_round_candidates(const BulkShape& a, const PlacedShape& placed_A,
-                                           const BulkShape& b, const PlacedShape& placed_B, const Vec3f& p_OB,
-                                           float margin, std::vector<ManifoldCandidate>& candidates) {
-  const CoreSegment core_A = core_segment(a, placed_A, Vec3f::Zero());
-  const CoreSegment core_B = core_segment(b, placed_B, p_OB);
+std::optional<Vec3f> find_round_candidates(const PlacedRound& round_A, const PlacedRound& round_B,
+                                           const Vec3f& p_OB, float margin,
+                                           std::vector<ManifoldCandidate>& candidates) {
+  const BulkShape &a = round_A.shape, &b = round_B.shape;
+  const CoreSegment core_A = core_segment(round_A, Vec3f::Zero());
+  const CoreSegment core_B = core_segment(round_B, p_OB);
   // The nearest points of the two axes; across both where they meet and no direction is left.
   const SegmentPoints nearest = nearest_on_segments(core_A.p, core_A.u, core_B.p, core_B.u);
   const Vec3f way = core_B.p + nearest.t * core_B.u - core_A.p - nearest.s * core_A.u;

@@ -9,11 +9,16 @@
 
 namespace rigor {
 
+/// A sphere or capsule and where its body is.
+struct PlacedRound {
+  const BulkShape& shape;
+  const PlacedShape& placed;
+};
+
 /// Finds the candidates of two spheres or capsules and returns their normal, or nothing beyond the margin.
 /// p_OB is the centre of body B relative to that of body A, the origin of O. Capsules side by side have two
 /// candidates.
-std::optional<Vec3f> find_round_candidates(const BulkShape& a, const PlacedShape& placed_A,
-                                           const BulkShape& b, const PlacedShape& placed_B, const Vec3f& p_OB,
+std::optional<Vec3f> find_round_candidates(const PlacedRound& a, const PlacedRound& b, const Vec3f& p_OB,
                                            float margin, std::vector<ManifoldCandidate>& candidates);
 
 /// The half-space n · p <= offset, as seen from the centre of the other body.

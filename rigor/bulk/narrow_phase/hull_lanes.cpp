@@ -323,11 +323,12 @@ void find_heights(const LaneColumns& points, const Vec3f& n, const float* offset
                              : heights_kernel(points, n, offsets, heights);
 }
 
-void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
-                int count, LaneTarget target, std::vector<int>& places) {
+void list_above(const LevelColumn& x, const LevelColumn& y, int count, LaneTarget target,
+                std::vector<int>& places) {
   places.clear();
-  target == LaneTarget::avx2 ? above_avx2(x.data(), least_x, y.data(), least_y, count, places)
-                             : above_kernel(x.data(), least_x, y.data(), least_y, count, places);
+  const float *const xs = x.numbers.data(), *const ys = y.numbers.data();
+  target == LaneTarget::avx2 ? above_avx2(xs, x.level, ys, y.level, count, places)
+                             : above_kernel(xs, x.level, ys, y.level, count, places);
 }
 
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,

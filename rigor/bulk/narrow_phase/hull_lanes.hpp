@@ -30,9 +30,14 @@ Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float d
 /// Writes n · p for all points, less their offsets, if there are any.
 void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
                   float* heights);
-/// Lists the places among the first `count` at which x > least_x and y > least_y, both in whole lanes.
-void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
-                int count, LaneTarget target, std::vector<int>& places);
+/// Numbers in whole lanes, and the level above which they count.
+struct LevelColumn {
+  const std::vector<float>& numbers;
+  float level;
+};
+/// Lists the places among the first `count` at which both are above their levels.
+void list_above(const LevelColumn& x, const LevelColumn& y, int count, LaneTarget target,
+                std::vector<int>& places);
 
 /// A core as the search for parting directions sees it.
 struct SupportCore {

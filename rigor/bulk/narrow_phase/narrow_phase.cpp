@@ -163,7 +163,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   if (a.kind != Kind::round || b.kind != Kind::round)
     return find_polytopes(place, number, pair.margin, polytopes, manifolds);
   const std::optional<Vec3f> n =
-      find_round_candidates(a, placed_A, b, placed_B, place.d, pair.margin, polytopes.candidates);
+      find_round_candidates({a, placed_A}, {b, placed_B}, place.d, pair.margin, polytopes.candidates);
   polytopes.equal_depth = kRounding * (a.extent + b.extent + place.d.norm());
   add_manifold(n, number, polytopes, manifolds);
 }

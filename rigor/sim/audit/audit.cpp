@@ -45,7 +45,7 @@ bool Audit::uses(std::string_view key) const {
          });
 }
 
-Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
+Auditor::Auditor(const std::shared_ptr<const Model>& model, const Method& method, const State& start)
     : Auditor(model, resolve_scheme(*model, method), start) {}
 
 Auditor::Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& start)

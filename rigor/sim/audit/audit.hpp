@@ -113,7 +113,7 @@ struct Audit {
 class Auditor {
  public:
   /// Begins at this state.
-  Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
+  Auditor(const std::shared_ptr<const Model>& model, const Method& method, const State& start);
   /// The same, with the scheme that `auto` stands for.
   Auditor(std::shared_ptr<const Model> model, const ResolvedMethod& choice, const State& start);
   /// Goes on where an earlier audit of the same scene ended, at this state.

@@ -248,6 +248,7 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
     return joints;
   }
   std::vector<JointReaction> result;
+  result.reserve(model.joints().size());
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
   if (result.empty()) return result;
   const Environment environment(model);
