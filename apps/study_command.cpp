@@ -10,8 +10,8 @@
 #include "rigor/study/answer/run_page.hpp"
 #include "rigor/study/answer/study_output.hpp"
 #include "rigor/study/answer/study_page.hpp"
-#include "rigor/study/crew/process_group.hpp"
 #include "rigor/study/study.hpp"
+#include "rigor/study/workers/process_group.hpp"
 
 #include <fmt/format.h>
 
@@ -133,21 +133,21 @@ ExitCode execute(const StudyOptions& options) {
     return exit_done;
   }
   check_room(options, study);
-  const std::unique_ptr<Crew> crew =
-      group.size() > 1 ? group.make_crew(make) : make_thread_crew(make, threads_of(options));
+  const std::unique_ptr<WorkerPool> pool =
+      group.size() > 1 ? group.make_pool(make) : make_thread_pool(make, threads_of(options));
   // The wait for a journal and the first run end when asked; what follows asks by itself.
   const StudyCost cost = [&] {
     const InterruptScope scope(asks);
     return study.foresee(journal);
   }();
-  if (!options.is_quiet) fmt::print(stderr, "{}\n", cost_text(cost, crew->size()));
+  if (!options.is_quiet) fmt::print(stderr, "{}\n", cost_text(cost, pool->size()));
   if (study.resumed() > 0 && !options.is_quiet)
     fmt::print(stderr, "{} runs are known from {}\n", study.resumed(), escaped_lines(journal.string()));
   if (options.is_dry) return exit_done;
   bool is_complete = false;
   {
     StudyWatch watch(!options.is_quiet, study.resumed());
-    is_complete = study.run(*crew, {journal, asks, [&](const std::function<StudyProgress()>& progress) {
+    is_complete = study.run(*pool, {journal, asks, [&](const std::function<StudyProgress()>& progress) {
                                       watch.look(progress);
                                     }});
   }

@@ -16,6 +16,6 @@ std::string study_progress_text(const StudyProgress& progress, double elapsed, s
                                 int width);
 
 /// "12 runs at most, about 3 s of processor time each ...".
-std::string cost_text(const StudyCost& cost, int crew);
+std::string cost_text(const StudyCost& cost, int workers);
 
 }  // namespace rigor

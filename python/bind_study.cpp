@@ -38,8 +38,9 @@ std::unique_ptr<Study> carry_out(const std::string& file, int threads, const std
   // The runs go on in threads that do not know Python; this one listens to it.
   std::future<void> work = std::async(std::launch::async, [&] {
     study->foresee(journal);
-    const std::unique_ptr<Crew> crew = make_thread_crew([&] { return study->make_executor(); }, threads);
-    study->run(*crew, {journal, [&] { return is_interrupted.load(); }, {}});
+    const std::unique_ptr<WorkerPool> pool =
+        make_thread_pool([&] { return study->make_executor(); }, threads);
+    study->run(*pool, {journal, [&] { return is_interrupted.load(); }, {}});
   });
   wait_for(work, is_interrupted);
   if (is_interrupted) throw Interrupted();

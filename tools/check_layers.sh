@@ -31,7 +31,7 @@ bulk: lanes threads state narrow_phase broad_phase matching graph direct contact
 sim: pairs method report witness fixed_steps drives islands event_driven time_stepping bulk handover penalty audit .
 io: files mesh scene trajectory
 view: recording 3d plot page live
-study: formula sampling plan run crew kinds . answer
+study: formula sampling plan run workers kinds . answer
 '
 
 bad=0

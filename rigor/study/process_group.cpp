@@ -1,6 +1,6 @@
-#include "rigor/study/crew/process_group.hpp"
+#include "rigor/study/workers/process_group.hpp"
 
-#include "rigor/study/crew/journal.hpp"
+#include "rigor/study/workers/journal.hpp"
 
 #ifdef RIGOR_WITH_MPI
 
@@ -99,12 +99,12 @@ class MessageSize {
 };
 
 /// The first process: the thread that called gives out tasks, and only it speaks to MPI; another one works.
-class ProcessCrew : public Crew {
+class ProcessPool : public WorkerPool {
  public:
-  ProcessCrew(const MakeExecutor& make, int size)
+  ProcessPool(const MakeExecutor& make, int size)
       : executor_(make()), workers_(static_cast<std::size_t>(size), Worker::unheard) {}
 
-  ~ProcessCrew() override {
+  ~ProcessPool() override {
     for (int rank = 1; rank < size(); ++rank) {
       std::string bytes;
       int sender = 0;
@@ -243,8 +243,8 @@ ProcessGroup::~ProcessGroup() {
   MPI_Finalize();
 }
 
-std::unique_ptr<Crew> ProcessGroup::make_crew(const MakeExecutor& make) const {
-  return std::make_unique<ProcessCrew>(make, size_);
+std::unique_ptr<WorkerPool> ProcessGroup::make_pool(const MakeExecutor& make) const {
+  return std::make_unique<ProcessPool>(make, size_);
 }
 
 void ProcessGroup::work(const MakeExecutor& make, const std::function<bool()>& interrupt) const {
@@ -274,8 +274,8 @@ namespace rigor {
 ProcessGroup::ProcessGroup() = default;
 ProcessGroup::~ProcessGroup() = default;
 
-std::unique_ptr<Crew> ProcessGroup::make_crew(const MakeExecutor& make) const {
-  return make_thread_crew(make, 1);
+std::unique_ptr<WorkerPool> ProcessGroup::make_pool(const MakeExecutor& make) const {
+  return make_thread_pool(make, 1);
 }
 
 void ProcessGroup::work(const MakeExecutor&, const std::function<bool()>&) const {}

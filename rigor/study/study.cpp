@@ -100,7 +100,7 @@ std::optional<RunTask> Study::next_task(std::uint64_t wanted) {
   return RunTask{run, strategy_->point(run)};
 }
 
-bool Study::run(Crew& crew, const StudySettings& settings) {
+bool Study::run(WorkerPool& pool, const StudySettings& settings) {
   load(settings.journal, true);
   // It is let go when the study has ended, not when its rows are no longer looked at.
   std::unique_ptr<JournalLock> lock = std::move(lock_);
@@ -115,7 +115,7 @@ bool Study::run(Crew& crew, const StudySettings& settings) {
   while (rows_.prefix() < wanted) {
     const std::uint64_t before = rows_.count();
     next_ = rows_.prefix();
-    crew.carry_out({[&] { return next_task(wanted); },
+    pool.carry_out({[&] { return next_task(wanted); },
                     [&](const RunRow& row) {
                       // Written first: what the table knows, a new start knows too.
                       if (journal && !rows_.has(row.run)) journal->append(row);

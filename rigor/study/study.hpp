@@ -1,10 +1,10 @@
 #pragma once
 
-#include "rigor/study/crew/crew.hpp"
-#include "rigor/study/crew/journal.hpp"
-#include "rigor/study/crew/row_table.hpp"
 #include "rigor/study/kinds/strategy.hpp"
 #include "rigor/study/plan/study_reader.hpp"
+#include "rigor/study/workers/journal.hpp"
+#include "rigor/study/workers/row_table.hpp"
+#include "rigor/study/workers/worker_pool.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -58,7 +58,7 @@ class Study {
   /// study whose first run is refused is a mistake. `journal` as in run().
   StudyCost foresee(const std::filesystem::path& journal);
   /// Carries out all runs that are not known from the journal; whether the study came to its end.
-  bool run(Crew& crew, const StudySettings& settings);
+  bool run(WorkerPool& pool, const StudySettings& settings);
 
   const RowTable& rows() const { return rows_; }
   StudyAnswer answer() const { return strategy_->answer(rows_); }

@@ -5,9 +5,9 @@
 #include "random_vectors.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/files/file_error.hpp"
-#include "rigor/study/crew/row_table.hpp"
 #include "rigor/study/kinds/statistics.hpp"
 #include "rigor/study/run/audit_quantity.hpp"
+#include "rigor/study/workers/row_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/interrupt.hpp"
-#include "rigor/study/crew/journal.hpp"
+#include "rigor/study/workers/journal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,10 +63,10 @@ TEST(Study, HasTheSameBitsOnAnyNumberOfThreads) {
 /// Runs until so many rows are delivered.
 std::uint64_t interrupted_after(int rows, const std::string& journal) {
   Study study(parse_study(slides, std::string(RIGOR_SOURCE_DIR) + "/scenes/studies/test.yaml"));
-  const auto crew = make_thread_crew([&] { return study.make_executor(); }, 1);
+  const auto pool = make_thread_pool([&] { return study.make_executor(); }, 1);
   int seen = 0;
   StudySettings settings{journal, [&] { return seen >= rows; }, [&](const auto&) { ++seen; }};
-  EXPECT_FALSE(study.run(*crew, settings));
+  EXPECT_FALSE(study.run(*pool, settings));
   return study.rows().count();
 }
 

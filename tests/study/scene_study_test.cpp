@@ -39,8 +39,8 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 
 std::string rows_of(const std::filesystem::path& path) {
   Study study(read_study(path));
-  const std::unique_ptr<Crew> crew = make_thread_crew([&] { return study.make_executor(); }, 1);
-  EXPECT_TRUE(study.run(*crew, {}));
+  const std::unique_ptr<WorkerPool> pool = make_thread_pool([&] { return study.make_executor(); }, 1);
+  EXPECT_TRUE(study.run(*pool, {}));
   EXPECT_EQ(study.run_count(), 3u);
   return study_csv(study);
 }
@@ -62,8 +62,8 @@ TEST(StudyInScene, GivesTheRowsOfTheSameStudyInAFileOfItsOwn) {
   EXPECT_EQ(rows_of(within), rows_of(apart));
   // z = 9 + v t - g t^2 / 2, at 1 s.
   Study study(read_study(within));
-  const std::unique_ptr<Crew> crew = make_thread_crew([&] { return study.make_executor(); }, 1);
-  ASSERT_TRUE(study.run(*crew, {}));
+  const std::unique_ptr<WorkerPool> pool = make_thread_pool([&] { return study.make_executor(); }, 1);
+  ASSERT_TRUE(study.run(*pool, {}));
   EXPECT_NEAR(study.rows().value(2, 0), 9 + 2 - 0.5 * 9.81, 1e-12);
   EXPECT_TRUE(is_scene_with_study(within));
   EXPECT_FALSE(is_scene_with_study(apart));

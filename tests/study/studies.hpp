@@ -15,8 +15,8 @@ inline std::unique_ptr<Study> finished(const std::string& text, int threads = 1,
                                        const StudySettings& settings = {}) {
   const std::string path = std::string(RIGOR_SOURCE_DIR) + "/scenes/studies/test.yaml";
   auto study = std::make_unique<Study>(parse_study(text, path));
-  const std::unique_ptr<Crew> crew = make_thread_crew([&] { return study->make_executor(); }, threads);
-  EXPECT_TRUE(study->run(*crew, settings));
+  const std::unique_ptr<WorkerPool> pool = make_thread_pool([&] { return study->make_executor(); }, threads);
+  EXPECT_TRUE(study->run(*pool, settings));
   return study;
 }
 

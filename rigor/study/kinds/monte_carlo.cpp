@@ -27,7 +27,7 @@ class MonteCarlo : public Strategy {
 
   std::uint64_t wanted(const RowTable& known) override {
     if (!plan_.half_width) return most_;
-    // The rule is asked at fixed numbers of runs, so that its answer is the same for any crew.
+    // The rule is asked at fixed numbers of runs, so that its answer is the same for any pool.
     while (checked_ < most_ && known.prefix() >= checked_ && !is_met_) {
       is_met_ =
           checked_ > 0 && estimate(known, plan_.main_outcome(), checked_).half_width() <= *plan_.half_width;

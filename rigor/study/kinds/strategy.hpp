@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rigor/study/crew/row_table.hpp"
 #include "rigor/study/kinds/answer.hpp"
 #include "rigor/study/plan/study_plan.hpp"
+#include "rigor/study/workers/row_table.hpp"
 
 #include <cstdint>
 #include <memory>

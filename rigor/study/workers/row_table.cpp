@@ -1,4 +1,4 @@
-#include "rigor/study/crew/row_table.hpp"
+#include "rigor/study/workers/row_table.hpp"
 
 #include "rigor/core/assert.hpp"
 #include "rigor/io/files/file_error.hpp"

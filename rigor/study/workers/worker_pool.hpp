@@ -17,9 +17,9 @@ struct TaskSource {
 
 /// Those who carry out the runs of a study: threads of this process, or processes of a cluster. Each takes
 /// its next task when it is free, so nobody waits for others but at the end.
-class Crew {
+class WorkerPool {
  public:
-  virtual ~Crew() = default;
+  virtual ~WorkerPool() = default;
   /// Carries out all tasks of the source, or those that are done when the interrupt asks for an end. An
   /// exception of a run or of the source ends it and is thrown here.
   virtual void carry_out(const TaskSource& source, const std::function<bool()>& interrupt) = 0;
@@ -31,6 +31,6 @@ class Crew {
 using MakeExecutor = std::function<std::unique_ptr<RunExecutor>()>;
 
 /// Threads of this process, at least 1.
-std::unique_ptr<Crew> make_thread_crew(MakeExecutor make, int threads);
+std::unique_ptr<WorkerPool> make_thread_pool(MakeExecutor make, int threads);
 
 }  // namespace rigor

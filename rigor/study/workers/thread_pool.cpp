@@ -1,4 +1,4 @@
-#include "rigor/study/crew/crew.hpp"
+#include "rigor/study/workers/worker_pool.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -11,9 +11,9 @@ namespace rigor {
 
 namespace {
 
-class ThreadCrew : public Crew {
+class ThreadPool : public WorkerPool {
  public:
-  ThreadCrew(const MakeExecutor& make, int threads) {
+  ThreadPool(const MakeExecutor& make, int threads) {
     for (int i = 0; i < std::max(1, threads); ++i) executors_.push_back(make());
   }
 
@@ -62,8 +62,8 @@ class ThreadCrew : public Crew {
 
 }  // namespace
 
-std::unique_ptr<Crew> make_thread_crew(MakeExecutor make, int threads) {
-  return std::make_unique<ThreadCrew>(make, threads);
+std::unique_ptr<WorkerPool> make_thread_pool(MakeExecutor make, int threads) {
+  return std::make_unique<ThreadPool>(make, threads);
 }
 
 }  // namespace rigor

@@ -1,4 +1,4 @@
-#include "rigor/study/crew/journal.hpp"
+#include "rigor/study/workers/journal.hpp"
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/input_error.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/study/crew/crew.hpp"
+#include "rigor/study/workers/worker_pool.hpp"
 
 #include <functional>
 #include <memory>
@@ -19,8 +19,8 @@ class ProcessGroup {
   int size() const { return size_; }
   /// Whether this process works for the first one.
   bool is_worker() const { return rank_ > 0; }
-  /// Of the first process: all processes as a crew; it works itself, beside giving out the tasks.
-  std::unique_ptr<Crew> make_crew(const MakeExecutor& make) const;
+  /// Of the first process: all processes as a pool; it works itself, beside giving out the tasks.
+  std::unique_ptr<WorkerPool> make_pool(const MakeExecutor& make) const;
   /// Of the others: carries out tasks until the first process has none.
   void work(const MakeExecutor& make, const std::function<bool()>& interrupt) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/study/crew/row_table.hpp"
+#include "rigor/study/workers/row_table.hpp"
 
 #include <cstdint>
 #include <filesystem>
