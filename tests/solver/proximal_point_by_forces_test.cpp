@@ -29,7 +29,8 @@ struct Found {
 Found find(const CoulombProblem& problem, double rho, SearchByForces& search) {
   const FactoredMotion motion(problem.A);
   const VecX masses = effective_masses(motion.diagonal());
-  const VecX lambda = VecX::Zero(problem.b.size()), v = motion.lift(motion.pull(lambda));
+  const VecX lambda = VecX::Zero(problem.b.size()),
+             v = motion.apply_inverse_mass(motion.apply_transpose(lambda));
   Found found{search.find({problem, motion, masses, lambda, v, rho, 1e-3})};
   if (!found.point) return found;
   VecX w = problem.A * found.point->lambda + problem.b;

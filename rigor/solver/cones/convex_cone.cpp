@@ -54,7 +54,7 @@ CoulombSolution solve_on(const CoulombProblem& laws, const ContactMotion& motion
        ++step) {
     proximal.step();
     const VecX lambda = clamp_to_cones(laws, proximal.guess().lambda);
-    const VecX w = motion.rates(motion.lift(motion.pull(lambda))) + laws.b;
+    const VecX w = motion.rates(motion.apply_inverse_mass(motion.apply_transpose(lambda))) + laws.b;
     const double residual = convex_residual(laws, motion.diagonal(), largest_term_of(lambda), lambda, w);
     stalls = residual < 0.5 * best.residual ? 0 : stalls + 1;
     if (residual < best.residual)

@@ -37,7 +37,7 @@ CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMot
   // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
   q_ = problem.b;
   shift_ = VecX::Zero(count);
-  v_ = motion_.lift(motion_.pull(guess_.lambda));
+  v_ = motion_.apply_inverse_mass(motion_.apply_transpose(guess_.lambda));
   if (!options_.is_warm) return;
   rho_ = kWarmRho;
   update_shift(moved(guess_.lambda) + problem_.b, 1.0);
@@ -68,8 +68,8 @@ Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
 
 CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
   // φ(v) = ½ vᵀM v + Σ |proj(x_i)|² / (2 ρ_i) with x = λ - ρ (L v + q); its gradient is M v - Lᵀ proj(x).
-  const VecX weighed = motion_.weigh(v);
-  Inner inner{0.5 * v.dot(weighed), weighed, motion_.rates(v) + q_, VecX(q_.size())};
+  const VecX momentum = motion_.apply_mass(v);
+  Inner inner{0.5 * v.dot(momentum), momentum, motion_.rates(v) + q_, VecX(q_.size())};
   for (Index i = 0; i < masses_.size(); ++i) {
     const double rho = rho_ * masses_(i);
     const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
@@ -78,8 +78,8 @@ CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
     inner.force.segment<3>(3 * i) = force;
     inner.value += force.squaredNorm() / (2 * rho);
   }
-  inner.pulled = motion_.pull(inner.force);
-  inner.gradient -= inner.pulled;
+  inner.generalised_force = motion_.apply_transpose(inner.force);
+  inner.gradient -= inner.generalised_force;
   return inner;
 }
 
@@ -100,7 +100,7 @@ std::vector<Mat3> CoulombProximal::stiffnesses(const VecX& argument) const {
 }
 
 VecX CoulombProximal::moved(const VecX& lambda) const {
-  return motion_.rates(motion_.lift(motion_.pull(lambda)));
+  return motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(lambda)));
 }
 
 // Newton with Armijo's line search on a strongly convex, once differentiable function.
@@ -111,7 +111,7 @@ void CoulombProximal::minimise() {
   for (int step = 0; step < kMaxSteps; ++step) {
     poll_interrupt();
     const double error = inner.gradient.norm();
-    if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
+    if (error <= tolerance * (motion_.apply_mass(v_).norm() + inner.generalised_force.norm())) return;
 
     // Newton's direction, and halving until Armijo's condition holds.
     const VecX direction =
@@ -166,7 +166,7 @@ void CoulombProximal::update_shift(const VecX& w, double damping) {
   }
   q_ = problem_.b + moved(held);
   for (Index i = 0; i < shift_.size(); ++i) q_(3 * i + 2) += shift_(i);
-  v_ = motion_.lift(motion_.pull(guess_.lambda - held));
+  v_ = motion_.apply_inverse_mass(motion_.apply_transpose(guess_.lambda - held));
 }
 
 }  // namespace rigor

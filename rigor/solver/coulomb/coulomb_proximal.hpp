@@ -46,9 +46,9 @@ class CoulombProximal {
   struct Inner {
     double value;
     VecX gradient;
-    VecX argument;  ///< λ - ρ (L v + q): 3n.
-    VecX force;     ///< Its projection: 3n.
-    VecX pulled;    ///< Lᵀ force.
+    VecX argument;           ///< λ - ρ (L v + q): 3n.
+    VecX force;              ///< Its projection: 3n.
+    VecX generalised_force;  ///< Lᵀ force.
   };
 
   Inner evaluate(const VecX& v) const;

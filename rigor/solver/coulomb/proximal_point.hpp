@@ -51,7 +51,7 @@ inline bool is_at_rounding(double error, double error_of_step, double size) {
 ///                                     masses, and modes;
 ///   direction_from(place, miss)             Newton's direction, a place;
 ///   move(place, length, direction, there)   along it;
-///   forces_of(place, miss)            what has lambda and pulled = Lᵀ λ;
+///   forces_of(place, miss)            what has lambda and generalised_force = Lᵀ λ;
 ///   motion()                          the ContactMotion.
 template <typename Search>
 std::optional<ProximalPoint> newton_point(const Search& search, double share, int most_steps,
@@ -63,7 +63,8 @@ std::optional<ProximalPoint> newton_point(const Search& search, double share, in
   search.measure(place, miss);
   for (int step = 0; step < most_steps; ++step) {
     const auto& forces = search.forces_of(place, miss);
-    const double size = std::sqrt(forces.pulled.dot(search.motion().lift(forces.pulled))) +
+    const double size = std::sqrt(forces.generalised_force.dot(
+                            search.motion().apply_inverse_mass(forces.generalised_force))) +
                         std::sqrt(place.v.dot(place.momentum));
     const double moved_by =
         std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));

@@ -46,8 +46,8 @@ Vec3 SearchByForces::argument(const Place& place, Index contact) const {
 
 void SearchByForces::complete(Place& place) const {
   from_->motion.rates(place.v, place.rates);
-  from_->motion.weigh(place.v, place.momentum);
-  from_->motion.pull(place.lambda, place.pulled);
+  from_->motion.apply_mass(place.v, place.momentum);
+  from_->motion.apply_transpose(place.lambda, place.generalised_force);
 }
 
 void SearchByForces::measure(const Place& place, Miss& miss) {
@@ -57,9 +57,9 @@ void SearchByForces::measure(const Place& place, Miss& miss) {
   miss.modes.resize(count);
   miss.slopes.resize(count);
   // What M v - Lᵀ λ misses, as an energy.
-  momentum_ = place.momentum - place.pulled;
-  from_->motion.lift(momentum_, lifted_);
-  double square = std::max(0.0, momentum_.dot(lifted_));
+  momentum_ = place.momentum - place.generalised_force;
+  from_->motion.apply_inverse_mass(momentum_, velocity_);
+  double square = std::max(0.0, momentum_.dot(velocity_));
   // What the law misses of each force, in the same unit.
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = static_cast<Index>(k);
@@ -103,18 +103,18 @@ void SearchByForces::direct(const Place& place, const Miss& miss, Place& way) {
     if (modes_[k] == ContactMode::slide) r_.segment<3>(row) = inverse_[k] * miss.F.segment<3>(row);
   }
   // dv, with its rates and momenta.
-  from_->motion.pull(r_, momentum_);
-  momentum_ = place.pulled - momentum_ - place.momentum;
+  from_->motion.apply_transpose(r_, momentum_);
+  momentum_ = place.generalised_force - momentum_ - place.momentum;
   way.v = from_->motion.solve(momentum_);
   from_->motion.rates(way.v, way.rates);
-  from_->motion.weigh(way.v, way.momentum);
+  from_->motion.apply_mass(way.v, way.momentum);
   // dλ = -D L dv - r; an open contact gives back all of its force.
   way.lambda = -r_;
   for (std::size_t k = 0; k < D_.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
     if (modes_[k] != ContactMode::open) way.lambda.segment<3>(row) -= D_[k] * way.rates.segment<3>(row);
   }
-  from_->motion.pull(way.lambda, way.pulled);
+  from_->motion.apply_transpose(way.lambda, way.generalised_force);
 }
 
 void SearchByForces::move(const Place& place, double length, const Place& way, Place& there) {
@@ -122,7 +122,7 @@ void SearchByForces::move(const Place& place, double length, const Place& way, P
   there.rates = place.rates + length * way.rates;
   there.momentum = place.momentum + length * way.momentum;
   there.lambda = place.lambda + length * way.lambda;
-  there.pulled = place.pulled + length * way.pulled;
+  there.generalised_force = place.generalised_force + length * way.generalised_force;
 }
 
 /// Length of a step, in the metric of the masses.
@@ -216,8 +216,9 @@ std::optional<ProximalPoint> SearchByForces::find(const ProximalStart& from) {
   place_ = start_;
   measure(place_, miss_);
   for (int step = 0; step < kMostSteps; ++step) {
-    from.motion.lift(place_.pulled, lifted_);
-    const double size = std::sqrt(place_.pulled.dot(lifted_)) + std::sqrt(place_.v.dot(place_.momentum));
+    from.motion.apply_inverse_mass(place_.generalised_force, velocity_);
+    const double size =
+        std::sqrt(place_.generalised_force.dot(velocity_)) + std::sqrt(place_.v.dot(place_.momentum));
     const double moved_by =
         std::sqrt(std::max(0.0, (place_.v - start_.v).dot(place_.momentum - start_.momentum)));
     if (is_near_enough(miss_.error, size, from.share * moved_by))

@@ -18,10 +18,10 @@ class SearchByForces {
   /// A motion v and forces λ, with what the search along a line needs of them: all of it is linear.
   struct Place {
     VecX v;
-    VecX rates;     ///< L v (3n).
-    VecX momentum;  ///< M v.
-    VecX lambda;    ///< 3n.
-    VecX pulled;    ///< Lᵀ λ.
+    VecX rates;              ///< L v (3n).
+    VecX momentum;           ///< M v.
+    VecX lambda;             ///< 3n.
+    VecX generalised_force;  ///< Lᵀ λ.
   };
   /// How a place misses the law.
   struct Miss {
@@ -52,7 +52,7 @@ class SearchByForces {
   std::vector<ContactMode> modes_;
   std::vector<Mat3> D_, inverse_;  ///< dλ = -D L dv - inverse F.
   // Scratch.
-  VecX momentum_, lifted_, r_;
+  VecX momentum_, velocity_, r_;
   std::vector<double> kinks_;
 };
 

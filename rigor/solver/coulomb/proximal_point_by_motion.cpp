@@ -25,7 +25,7 @@ class SearchByMotion {
     VecX lambda;  ///< 3n.
     std::vector<ContactMode> modes;
     std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
-    VecX pulled;               ///< Lᵀ λ.
+    VecX generalised_force;    ///< Lᵀ λ.
     VecX miss;                 ///< M v - Lᵀ λ.
     double error = 0;          ///< Of the miss, in the metric of M⁻¹.
   };
@@ -49,9 +49,9 @@ class SearchByMotion {
       forces.modes[k] = projection.mode;
       forces.slopes[k] = rho * projection.slope;
     }
-    forces.pulled = from_.motion.pull(forces.lambda);
-    forces.miss = motion.momentum - forces.pulled;
-    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(from_.motion.lift(forces.miss))));
+    forces.generalised_force = from_.motion.apply_transpose(forces.lambda);
+    forces.miss = motion.momentum - forces.generalised_force;
+    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(from_.motion.apply_inverse_mass(forces.miss))));
   }
 
   Motion direction_from(const Motion&, const Miss& forces) const {
@@ -70,7 +70,7 @@ class SearchByMotion {
   Motion motion_at(VecX v) const {
     Motion motion{std::move(v), {}, {}};
     motion.rates = from_.motion.rates(motion.v);
-    motion.momentum = from_.motion.weigh(motion.v);
+    motion.momentum = from_.motion.apply_mass(motion.v);
     return motion;
   }
 

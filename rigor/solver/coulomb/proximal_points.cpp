@@ -48,7 +48,7 @@ class ProximalPoints {
         is_bold_(options.is_bold) {
     const Index count = static_cast<Index>(laws.mu.size());
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
-    v_ = motion_.lift(motion_.pull(lambda_));
+    v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
   }
 
   std::optional<CoulombSolution> run() {
@@ -71,7 +71,7 @@ class ProximalPoints {
 
         // The next point, with a longer step; where rounding held this one back, with a shorter one.
         lambda_ = next->lambda;
-        v_ = motion_.lift(motion_.pull(lambda_));
+        v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
         const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
         if (next->is_rounded)
           rho_ = std::max(rho_ / growth, kFirstRho);
@@ -115,7 +115,7 @@ class ProximalPoints {
 
   Offer offer_of(const ProximalPoint& point) const {
     Offer offer{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
-    offer.w = motion_.rates(motion_.lift(motion_.pull(offer.lambda))) + laws_.b;
+    offer.w = motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(offer.lambda))) + laws_.b;
     const double size = size_of_(offer.lambda);
     offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
     VecX change = offer.lambda - lambda_;

@@ -17,11 +17,12 @@ enum class Symmetry { positive, none };
 class ContactMotion {
  public:
   virtual ~ContactMotion() = default;
-  virtual void rates(const VecX& v, VecX& w) const = 0;      ///< L v (3n).
-  virtual void pull(const VecX& lambda, VecX& p) const = 0;  ///< Lᵀ λ, with what joints do about it.
-  virtual void weigh(const VecX& v, VecX& p) const = 0;      ///< M v.
-  virtual void lift(const VecX& p, VecX& v) const = 0;       ///< M⁻¹ p.
-  virtual const VecX& diagonal() const = 0;                  ///< Of A (3n).
+  virtual void rates(const VecX& v, VecX& w) const = 0;  ///< L v (3n).
+  virtual void apply_transpose(const VecX& lambda,
+                               VecX& p) const = 0;            ///< Lᵀ λ, with what joints do about it.
+  virtual void apply_mass(const VecX& v, VecX& p) const = 0;  ///< M v.
+  virtual void apply_inverse_mass(const VecX& p, VecX& v) const = 0;  ///< M⁻¹ p.
+  virtual const VecX& diagonal() const = 0;                           ///< Of A (3n).
   /// Begins with the matrix M + Lᵀ D L of a Newton step, with one 3 × 3 matrix D a contact, positive
   /// semidefinite or any.
   virtual void factor(const std::vector<Mat3>& D, Symmetry symmetry) const = 0;
@@ -30,9 +31,11 @@ class ContactMotion {
   virtual VecX solve(const VecX& g) const = 0;
 
   VecX rates(const VecX& v) const { return result_of(&ContactMotion::rates, v); }
-  VecX pull(const VecX& lambda) const { return result_of(&ContactMotion::pull, lambda); }
-  VecX weigh(const VecX& v) const { return result_of(&ContactMotion::weigh, v); }
-  VecX lift(const VecX& p) const { return result_of(&ContactMotion::lift, p); }
+  VecX apply_transpose(const VecX& lambda) const {
+    return result_of(&ContactMotion::apply_transpose, lambda);
+  }
+  VecX apply_mass(const VecX& v) const { return result_of(&ContactMotion::apply_mass, v); }
+  VecX apply_inverse_mass(const VecX& p) const { return result_of(&ContactMotion::apply_inverse_mass, p); }
   VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
     factor(D, symmetry);
     return solve(g);
@@ -51,11 +54,12 @@ class ContactMotion {
 class FactoredMotion : public ContactMotion {
  public:
   explicit FactoredMotion(const MatX& A);
-  using ContactMotion::lift, ContactMotion::pull, ContactMotion::rates, ContactMotion::weigh;
+  using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
+      ContactMotion::apply_mass;
   void rates(const VecX& v, VecX& w) const override { w.noalias() = L_ * v; }
-  void pull(const VecX& lambda, VecX& p) const override { p.noalias() = L_.transpose() * lambda; }
-  void weigh(const VecX& v, VecX& p) const override { p = v; }
-  void lift(const VecX& p, VecX& v) const override { v = p; }
+  void apply_transpose(const VecX& lambda, VecX& p) const override { p.noalias() = L_.transpose() * lambda; }
+  void apply_mass(const VecX& v, VecX& p) const override { p = v; }
+  void apply_inverse_mass(const VecX& p, VecX& v) const override { v = p; }
   const VecX& diagonal() const override { return diagonal_; }
   void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
   VecX solve(const VecX& g) const override;
@@ -75,14 +79,15 @@ class SparseMotion : public ContactMotion {
   SparseMotion(const SparseMotion&) = delete;
   SparseMotion& operator=(const SparseMotion&) = delete;
   const EliminationPattern& pattern() const { return pattern_; }
-  using ContactMotion::lift, ContactMotion::pull, ContactMotion::rates, ContactMotion::weigh;
+  using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
+      ContactMotion::apply_mass;
   void rates(const VecX& v, VecX& w) const override { contact_rates(rows_, v, w); }
-  void pull(const VecX& lambda, VecX& p) const override {
+  void apply_transpose(const VecX& lambda, VecX& p) const override {
     contact_wrenches(rows_, lambda, p);
     if (rows_.joints) p = with_joints(rows_, p);
   }
-  void weigh(const VecX& v, VecX& p) const override { node_wrenches(rows_, v, p); }
-  void lift(const VecX& p, VecX& v) const override { node_accelerations(rows_, p, v); }
+  void apply_mass(const VecX& v, VecX& p) const override { node_wrenches(rows_, v, p); }
+  void apply_inverse_mass(const VecX& p, VecX& v) const override { node_accelerations(rows_, p, v); }
   const VecX& diagonal() const override { return diagonal_; }
   void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
   VecX solve(const VecX& g) const override;

@@ -100,7 +100,7 @@ class MotionSolver {
       forces.segment<3>(3 * i) = D[k] * laws_.b.segment<3>(3 * i);
     }
     motion_.factor(D, Symmetry::positive);
-    const VecX left = motion_.rates(motion_.solve(-motion_.pull(forces))) + laws_.b;
+    const VecX left = motion_.rates(motion_.solve(-motion_.apply_transpose(forces))) + laws_.b;
     for (std::size_t k = 0; k < D.size(); ++k) {
       const Index row = 3 * static_cast<Index>(k);
       const double of_contact =
@@ -180,7 +180,7 @@ class MotionSolver {
   }
 
   VecX motion_of(const VecX& lambda) const {
-    return motion_.rates(motion_.lift(motion_.pull(lambda))) + laws_.b;
+    return motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(lambda))) + laws_.b;
   }
 
   CoulombSolution solution_of(const VecX& forces, const std::vector<ContactMode>& modes) const {
