@@ -19,10 +19,10 @@ struct ProximalStart {
   const VecX& lambda;  ///< λ⁰ (3n).
   const VecX& v;       ///< M⁻¹ Lᵀ λ⁰.
   double rho;          ///< Times the mass of each contact.
-  double share;        ///< How large the miss may be, as a share of what the point moves.
+  double share;        ///< How large the residual may be, as a share of what the point moves.
 };
 
-/// Forces that solve the law of contacts that give way: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
+/// Forces that solve the law of contacts that give step: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
 struct ProximalPoint {
   VecX lambda;
   std::vector<ContactMode> modes;
@@ -32,60 +32,62 @@ struct ProximalPoint {
 /// With c = ρ, when the forces are a function of the motion, and the motion is the unknown. Nothing where the
 /// search along Newton's direction stops, or takes sixty steps.
 std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start);
-/// Below kRounding of its terms (their size) the miss of the law is their rounding, times ρ. It need not be
-/// smaller than a share of what the point moves: that share is what the points lose of their speed of
+/// Below kRounding of its terms (their size) the residual of the law is their rounding, times ρ. It need not
+/// be smaller than a share of what the point moves: that share is what the points lose of their speed of
 /// convergence.
 inline bool is_near_enough(double error, double size, double share_of_move) {
   constexpr double kRounding = 1e-12;
   return error <= std::max(kRounding * size, share_of_move);
 }
-/// Whether a step creeps along the rounding of the miss: where this is small it does not halve it.
+/// Whether a step creeps along the rounding of the residual: where this is small it does not halve it.
 inline bool is_at_rounding(double error, double error_of_step, double size) {
   constexpr double kStuck = 1e-9, kCreep = 0.5;
   return error <= kStuck * size && !(error_of_step <= kCreep * error);
 }
 
 /// Newton's method with a search along its line. A Search has
-///   start()                           the first place: at least v and momentum = M v;
-///   measure(place, miss)              how the place misses the law: at least `error`, in the metric of the
+///   start()                           the first iterate: at least v and momentum = M v;
+///   measure(iterate, residual)              how the iterate misses the law: at least `error`, in the metric
+///   of the
 ///                                     masses, and modes;
-///   direction_from(place, miss)             Newton's direction, a place;
-///   move(place, length, direction, there)   along it;
-///   forces_of(place, miss)            what has lambda and generalised_force = Lᵀ λ;
+///   direction_from(iterate, residual)             Newton's direction, a iterate;
+///   move(iterate, length, direction, there)   along it;
+///   forces_of(iterate, residual)            what has lambda and generalised_force = Lᵀ λ;
 ///   motion()                          the ContactMotion.
 template <typename Search>
 std::optional<ProximalPoint> newton_point(const Search& search, double share, int most_steps,
                                           int most_halvings) {
   constexpr double kDecrease = 1e-4;
   const auto start = search.start();
-  auto place = start, there = start;
-  typename Search::Miss miss, trial;
-  search.measure(place, miss);
+  auto iterate = start, there = start;
+  typename Search::Residual residual, trial;
+  search.measure(iterate, residual);
   for (int step = 0; step < most_steps; ++step) {
-    const auto& forces = search.forces_of(place, miss);
+    const auto& forces = search.forces_of(iterate, residual);
     const double size = std::sqrt(forces.generalised_force.dot(
                             search.motion().apply_inverse_mass(forces.generalised_force))) +
-                        std::sqrt(place.v.dot(place.momentum));
+                        std::sqrt(iterate.v.dot(iterate.momentum));
     const double moved_by =
-        std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));
-    if (is_near_enough(miss.error, size, share * moved_by))
-      return ProximalPoint{forces.lambda, miss.modes, false};
+        std::sqrt(std::max(0.0, (iterate.v - start.v).dot(iterate.momentum - start.momentum)));
+    if (is_near_enough(residual.error, size, share * moved_by))
+      return ProximalPoint{forces.lambda, residual.modes, false};
 
     // Newton's direction, and halving until the error falls in proportion to the step.
-    const auto direction = search.direction_from(place, miss);
+    const auto direction = search.direction_from(iterate, residual);
     if (!direction.v.allFinite()) return std::nullopt;
     double length = 1;
-    search.move(place, length, direction, there);
+    search.move(iterate, length, direction, there);
     search.measure(there, trial);
-    for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * miss.error); ++k) {
+    for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * residual.error); ++k) {
       length *= 0.5;
-      search.move(place, length, direction, there);
+      search.move(iterate, length, direction, there);
       search.measure(there, trial);
     }
-    if (is_at_rounding(miss.error, trial.error, size)) return ProximalPoint{forces.lambda, miss.modes, true};
-    if (!(trial.error < miss.error)) return std::nullopt;
-    std::swap(place, there);
-    std::swap(miss, trial);
+    if (is_at_rounding(residual.error, trial.error, size))
+      return ProximalPoint{forces.lambda, residual.modes, true};
+    if (!(trial.error < residual.error)) return std::nullopt;
+    std::swap(iterate, there);
+    std::swap(residual, trial);
   }
   return std::nullopt;
 }

@@ -34,56 +34,56 @@ void add_roots(double a, double b, double c, const Vec2& normal, std::vector<dou
 
 }  // namespace
 
-Vec3 SearchByForces::argument(const Place& place, Index contact) const {
+Vec3 SearchByForces::argument(const Iterate& iterate, Index contact) const {
   const Index row = 3 * contact;
   // The argument of the projection: the force less c times the rate, with the proximal term of this point.
   const double mass = from_->masses(contact);
-  const Vec3 lambda = place.lambda.segment<3>(row);
-  const Vec3 w = place.rates.segment<3>(row) + from_->laws.b.segment<3>(row) +
+  const Vec3 lambda = iterate.lambda.segment<3>(row);
+  const Vec3 w = iterate.rates.segment<3>(row) + from_->laws.b.segment<3>(row) +
                  (lambda - from_->lambda.segment<3>(row)) / (from_->rho * mass);
   return lambda - kScale * mass * w;
 }
 
-void SearchByForces::complete(Place& place) const {
-  from_->motion.rates(place.v, place.rates);
-  from_->motion.apply_mass(place.v, place.momentum);
-  from_->motion.apply_transpose(place.lambda, place.generalised_force);
+void SearchByForces::complete(Iterate& iterate) const {
+  from_->motion.rates(iterate.v, iterate.rates);
+  from_->motion.apply_mass(iterate.v, iterate.momentum);
+  from_->motion.apply_transpose(iterate.lambda, iterate.generalised_force);
 }
 
-void SearchByForces::measure(const Place& place, Miss& miss) {
+void SearchByForces::measure(const Iterate& iterate, Residual& residual) {
   const std::size_t count = from_->laws.mu.size();
   count_work(count);
-  miss.F.resize(place.lambda.size());
-  miss.modes.resize(count);
-  miss.slopes.resize(count);
+  residual.F.resize(iterate.lambda.size());
+  residual.modes.resize(count);
+  residual.slopes.resize(count);
   // What M v - Lᵀ λ misses, as an energy.
-  momentum_ = place.momentum - place.generalised_force;
+  momentum_ = iterate.momentum - iterate.generalised_force;
   from_->motion.apply_inverse_mass(momentum_, velocity_);
   double square = std::max(0.0, momentum_.dot(velocity_));
   // What the law misses of each force, in the same unit.
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = static_cast<Index>(k);
-    const ProjectedForce projection = alart_curnier(from_->laws, k, argument(place, i));
-    miss.modes[k] = projection.mode;
-    miss.slopes[k] = projection.slope;
-    miss.F.segment<3>(3 * i) = place.lambda.segment<3>(3 * i) - projection.force;
-    square += miss.F.segment<3>(3 * i).squaredNorm() / from_->masses(i);
+    const ProjectedForce projection = alart_curnier(from_->laws, k, argument(iterate, i));
+    residual.modes[k] = projection.mode;
+    residual.slopes[k] = projection.slope;
+    residual.F.segment<3>(3 * i) = iterate.lambda.segment<3>(3 * i) - projection.force;
+    square += residual.F.segment<3>(3 * i).squaredNorm() / from_->masses(i);
   }
-  miss.error = std::sqrt(square);
+  residual.error = std::sqrt(square);
 }
 
 /// With S = dP/dx, dF = 0 gives
 ///   (1 - (1 - c/ρ) S) dλ = -c S L dv - F,  so  dλ = -D L dv - r,
 /// and what is left is (M + Lᵀ D L) dv = Lᵀ (λ - r) - M v.
-void SearchByForces::linearise(const Miss& miss) {
+void SearchByForces::linearise(const Residual& residual) {
   const double rho = from_->rho;
   rho_ = rho;
-  modes_ = miss.modes;
+  modes_ = residual.modes;
   D_.assign(modes_.size(), Mat3::Zero());
   inverse_.resize(modes_.size());
   for (std::size_t k = 0; k < D_.size(); ++k) {
     if (modes_[k] != ContactMode::slide) continue;
-    const Mat3& S = miss.slopes[k];
+    const Mat3& S = residual.slopes[k];
     inverse_[k] = Mat3(Mat3::Identity() - (1 - kScale / rho) * S).inverse();
     D_[k] = kScale * from_->masses(static_cast<Index>(k)) * inverse_[k] * S;
   }
@@ -94,59 +94,59 @@ void SearchByForces::linearise(const Miss& miss) {
   from_->motion.factor(D_, Symmetry::none);
 }
 
-void SearchByForces::direct(const Place& place, const Miss& miss, Place& way) {
+void SearchByForces::direct(const Iterate& iterate, const Residual& residual, Iterate& step) {
   // r of linearise(), by the mode of each contact.
-  r_ = miss.F;
+  r_ = residual.F;
   for (std::size_t k = 0; k < D_.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
     if (modes_[k] == ContactMode::stick) r_.segment<3>(row) *= rho_ / kScale;
-    if (modes_[k] == ContactMode::slide) r_.segment<3>(row) = inverse_[k] * miss.F.segment<3>(row);
+    if (modes_[k] == ContactMode::slide) r_.segment<3>(row) = inverse_[k] * residual.F.segment<3>(row);
   }
   // dv, with its rates and momenta.
   from_->motion.apply_transpose(r_, momentum_);
-  momentum_ = place.generalised_force - momentum_ - place.momentum;
-  way.v = from_->motion.solve(momentum_);
-  from_->motion.rates(way.v, way.rates);
-  from_->motion.apply_mass(way.v, way.momentum);
+  momentum_ = iterate.generalised_force - momentum_ - iterate.momentum;
+  step.v = from_->motion.solve(momentum_);
+  from_->motion.rates(step.v, step.rates);
+  from_->motion.apply_mass(step.v, step.momentum);
   // dλ = -D L dv - r; an open contact gives back all of its force.
-  way.lambda = -r_;
+  step.lambda = -r_;
   for (std::size_t k = 0; k < D_.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
-    if (modes_[k] != ContactMode::open) way.lambda.segment<3>(row) -= D_[k] * way.rates.segment<3>(row);
+    if (modes_[k] != ContactMode::open) step.lambda.segment<3>(row) -= D_[k] * step.rates.segment<3>(row);
   }
-  from_->motion.apply_transpose(way.lambda, way.generalised_force);
+  from_->motion.apply_transpose(step.lambda, step.generalised_force);
 }
 
-void SearchByForces::move(const Place& place, double length, const Place& way, Place& there) {
-  there.v = place.v + length * way.v;
-  there.rates = place.rates + length * way.rates;
-  there.momentum = place.momentum + length * way.momentum;
-  there.lambda = place.lambda + length * way.lambda;
-  there.generalised_force = place.generalised_force + length * way.generalised_force;
+void SearchByForces::move(const Iterate& iterate, double length, const Iterate& step, Iterate& next) {
+  next.v = iterate.v + length * step.v;
+  next.rates = iterate.rates + length * step.rates;
+  next.momentum = iterate.momentum + length * step.momentum;
+  next.lambda = iterate.lambda + length * step.lambda;
+  next.generalised_force = iterate.generalised_force + length * step.generalised_force;
 }
 
 /// Length of a step, in the metric of the masses.
-double SearchByForces::size_of(const Place& way) const {
-  double square = std::max(0.0, way.v.dot(way.momentum));
+double SearchByForces::size_of(const Iterate& step) const {
+  double square = std::max(0.0, step.v.dot(step.momentum));
   for (Index i = 0; i < from_->masses.size(); ++i)
-    square += way.lambda.segment<3>(3 * i).squaredNorm() / from_->masses(i);
+    square += step.lambda.segment<3>(3 * i).squaredNorm() / from_->masses(i);
   return std::sqrt(square);
 }
 
-/// Whether the step from `there_` with the matrix as it is, is shorter than the one that led there: the law
-/// bends on the way, and more forces miss it than before, but the next steps will put this right. (Deuflhard,
-/// Newton Methods for Nonlinear Problems, 2004: the natural monotonicity test.)
+/// Whether the step from `next_` with the matrix as it is, is shorter than the one that led there: the law
+/// bends on the step, and more forces residual it than before, but the next steps will put this right.
+/// (Deuflhard, Newton Methods for Nonlinear Problems, 2004: the natural monotonicity test.)
 bool SearchByForces::contracts(double length) {
-  direct(there_, trial_, simplified_);
-  return size_of(simplified_) <= (1 - kContraction * length) * size_of(way_);
+  direct(next_, trial_, simplified_);
+  return size_of(simplified_) <= (1 - kContraction * length) * size_of(step_);
 }
 
-/// Shares of the way at which contacts change their mode, in order.
+/// Shares of the step at which contacts change their mode, in order.
 void SearchByForces::find_kinks() {
   kinks_.clear();
-  move(place_, 1, way_, there_);
+  move(iterate_, 1, step_, next_);
   for (Index i = 0; i < from_->masses.size(); ++i) {
-    const Vec3 x = argument(place_, i), dx = argument(there_, i) - x;
+    const Vec3 x = argument(iterate_, i), dx = argument(next_, i) - x;
     const double mu = from_->laws.mu[static_cast<std::size_t>(i)], square = mu * mu;
     if (dx.z() != 0) kinks_.push_back(-x.z() / dx.z());
     // |x_t| = μ x_n.
@@ -158,41 +158,41 @@ void SearchByForces::find_kinks() {
   std::sort(kinks_.begin(), kinks_.end());
 }
 
-/// The best place just beyond the first kinks of the way: there the next direction is that of other modes.
+/// The best iterate just beyond the first kinks of the step: there the next direction is that of other modes.
 bool SearchByForces::search_kinks() {
   constexpr double kBeyond = 1e-9;
   constexpr int kMostRises = 2;
   find_kinks();
-  double least = miss_.error;
+  double least = residual_.error;
   int rises = 0;
   for (const double kink : kinks_) {
-    move(place_, std::min(1.0, (1 + kBeyond) * kink), way_, there_);
-    measure(there_, trial_);
+    move(iterate_, std::min(1.0, (1 + kBeyond) * kink), step_, next_);
+    measure(next_, trial_);
     if (trial_.error < least) {
       least = trial_.error;
       std::swap(best_, trial_);
-      std::swap(best_place_, there_);
+      std::swap(best_iterate_, next_);
     } else if (++rises == kMostRises) {
       break;
     }
   }
-  if (!(least < miss_.error)) return false;
+  if (!(least < residual_.error)) return false;
   std::swap(best_, trial_);
-  std::swap(best_place_, there_);
+  std::swap(best_iterate_, next_);
   return true;
 }
 
-/// The step along the way: all of it, to a kink, or halved until the error falls in proportion to the step.
+/// The step along the step: all of it, to a kink, or halved until the error falls in proportion to the step.
 bool SearchByForces::search_line() {
   constexpr int kMostHalvings = 6;
-  move(place_, 1, way_, there_);
-  measure(there_, trial_);
-  if (trial_.error <= (1 - kDecrease) * miss_.error || contracts(1) || search_kinks()) return true;
+  move(iterate_, 1, step_, next_);
+  measure(next_, trial_);
+  if (trial_.error <= (1 - kDecrease) * residual_.error || contracts(1) || search_kinks()) return true;
   double length = 0.5;
   for (int k = 0; k < kMostHalvings; ++k, length *= 0.5) {
-    move(place_, length, way_, there_);
-    measure(there_, trial_);
-    if (trial_.error <= (1 - kDecrease * length) * miss_.error || contracts(length)) return true;
+    move(iterate_, length, step_, next_);
+    measure(next_, trial_);
+    if (trial_.error <= (1 - kDecrease * length) * residual_.error || contracts(length)) return true;
   }
   return false;
 }
@@ -200,11 +200,11 @@ bool SearchByForces::search_line() {
 /// A step with the matrix of an earlier one, where the contacts do the same: whether it serves as well.
 bool SearchByForces::repeats() {
   constexpr double kGood = 0.1;
-  if (rho_ != from_->rho || modes_ != miss_.modes) return false;
-  direct(place_, miss_, way_);
-  move(place_, 1, way_, there_);
-  measure(there_, trial_);
-  return trial_.error <= kGood * miss_.error;
+  if (rho_ != from_->rho || modes_ != residual_.modes) return false;
+  direct(iterate_, residual_, step_);
+  move(iterate_, 1, step_, next_);
+  measure(next_, trial_);
+  return trial_.error <= kGood * residual_.error;
 }
 
 std::optional<ProximalPoint> SearchByForces::find(const ProximalStart& from) {
@@ -213,30 +213,30 @@ std::optional<ProximalPoint> SearchByForces::find(const ProximalStart& from) {
   start_.v = from.v;
   start_.lambda = from.lambda;
   complete(start_);
-  place_ = start_;
-  measure(place_, miss_);
+  iterate_ = start_;
+  measure(iterate_, residual_);
   for (int step = 0; step < kMostSteps; ++step) {
-    from.motion.apply_inverse_mass(place_.generalised_force, velocity_);
+    from.motion.apply_inverse_mass(iterate_.generalised_force, velocity_);
     const double size =
-        std::sqrt(place_.generalised_force.dot(velocity_)) + std::sqrt(place_.v.dot(place_.momentum));
+        std::sqrt(iterate_.generalised_force.dot(velocity_)) + std::sqrt(iterate_.v.dot(iterate_.momentum));
     const double moved_by =
-        std::sqrt(std::max(0.0, (place_.v - start_.v).dot(place_.momentum - start_.momentum)));
-    if (is_near_enough(miss_.error, size, from.share * moved_by))
-      return ProximalPoint{place_.lambda, miss_.modes, false};
+        std::sqrt(std::max(0.0, (iterate_.v - start_.v).dot(iterate_.momentum - start_.momentum)));
+    if (is_near_enough(residual_.error, size, from.share * moved_by))
+      return ProximalPoint{iterate_.lambda, residual_.modes, false};
 
     // Newton's direction, with a matrix that is known or a new one.
     bool is_found = repeats();
     if (!is_found) {
-      linearise(miss_);
-      direct(place_, miss_, way_);
-      if (!way_.v.allFinite()) return std::nullopt;
+      linearise(residual_);
+      direct(iterate_, residual_, step_);
+      if (!step_.v.allFinite()) return std::nullopt;
       is_found = search_line();
     }
-    if (is_at_rounding(miss_.error, trial_.error, size))
-      return ProximalPoint{place_.lambda, miss_.modes, true};
+    if (is_at_rounding(residual_.error, trial_.error, size))
+      return ProximalPoint{iterate_.lambda, residual_.modes, true};
     if (!is_found) return std::nullopt;
-    std::swap(place_, there_);
-    std::swap(miss_, trial_);
+    std::swap(iterate_, next_);
+    std::swap(residual_, trial_);
   }
   return std::nullopt;
 }

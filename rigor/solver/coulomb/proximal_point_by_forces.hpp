@@ -16,37 +16,37 @@ class SearchByForces {
 
  private:
   /// A motion v and forces λ, with what the search along a line needs of them: all of it is linear.
-  struct Place {
+  struct Iterate {
     VecX v;
     VecX rates;              ///< L v (3n).
     VecX momentum;           ///< M v.
     VecX lambda;             ///< 3n.
     VecX generalised_force;  ///< Lᵀ λ.
   };
-  /// How a place misses the law.
-  struct Miss {
+  /// How a iterate misses the law.
+  struct Residual {
     VecX F;  ///< λ - P(λ - c w) (3n).
     std::vector<ContactMode> modes;
     std::vector<Mat3> slopes;  ///< dP / dx, one per contact.
     double error = 0;          ///< Of F and of M v - Lᵀ λ.
   };
   /// λ - c w of a contact.
-  Vec3 argument(const Place& place, Eigen::Index contact) const;
-  void complete(Place& place) const;
-  void measure(const Place& place, Miss& miss);
-  void linearise(const Miss& miss);
-  void direct(const Place& place, const Miss& miss, Place& way);
-  static void move(const Place& place, double length, const Place& way, Place& there);
+  Vec3 argument(const Iterate& iterate, Eigen::Index contact) const;
+  void complete(Iterate& iterate) const;
+  void measure(const Iterate& iterate, Residual& residual);
+  void linearise(const Residual& residual);
+  void direct(const Iterate& iterate, const Residual& residual, Iterate& step);
+  static void move(const Iterate& iterate, double length, const Iterate& step, Iterate& next);
   bool repeats();
   bool search_line();
   bool contracts(double length);
   bool search_kinks();
   void find_kinks();
-  double size_of(const Place& way) const;
+  double size_of(const Iterate& step) const;
 
   const ProximalStart* from_ = nullptr;
-  Place start_, place_, there_, way_, simplified_, best_place_;
-  Miss miss_, trial_, best_;
+  Iterate start_, iterate_, next_, step_, simplified_, best_iterate_;
+  Residual residual_, trial_, best_;
   // Of the last linearisation.
   double rho_ = 0;
   std::vector<ContactMode> modes_;

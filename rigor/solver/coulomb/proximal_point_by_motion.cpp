@@ -21,19 +21,19 @@ class SearchByMotion {
   };
 
   /// Forces at a motion v, and what the contacts do there.
-  struct Miss {
+  struct Residual {
     VecX lambda;  ///< 3n.
     std::vector<ContactMode> modes;
     std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
     VecX generalised_force;    ///< Lᵀ λ.
-    VecX miss;                 ///< M v - Lᵀ λ.
-    double error = 0;          ///< Of the miss, in the metric of M⁻¹.
+    VecX residual;             ///< M v - Lᵀ λ.
+    double error = 0;          ///< Of the residual, in the metric of M⁻¹.
   };
 
   const ContactMotion& motion() const { return from_.motion; }
   Motion start() const { return motion_at(from_.v); }
 
-  void measure(const Motion& motion, Miss& forces) const {
+  void measure(const Motion& motion, Residual& forces) const {
     const VecX w = motion.rates + from_.laws.b;
     const std::size_t count = from_.laws.mu.size();
     count_work(count);
@@ -50,12 +50,13 @@ class SearchByMotion {
       forces.slopes[k] = rho * projection.slope;
     }
     forces.generalised_force = from_.motion.apply_transpose(forces.lambda);
-    forces.miss = motion.momentum - forces.generalised_force;
-    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(from_.motion.apply_inverse_mass(forces.miss))));
+    forces.residual = motion.momentum - forces.generalised_force;
+    forces.error =
+        std::sqrt(std::max(0.0, forces.residual.dot(from_.motion.apply_inverse_mass(forces.residual))));
   }
 
-  Motion direction_from(const Motion&, const Miss& forces) const {
-    return motion_at(-from_.motion.newton_step(forces.slopes, forces.miss, Symmetry::none));
+  Motion direction_from(const Motion&, const Residual& forces) const {
+    return motion_at(-from_.motion.newton_step(forces.slopes, forces.residual, Symmetry::none));
   }
 
   static void move(const Motion& motion, double length, const Motion& direction, Motion& there) {
@@ -64,7 +65,7 @@ class SearchByMotion {
     there.momentum = motion.momentum + length * direction.momentum;
   }
 
-  static const Miss& forces_of(const Motion&, const Miss& forces) { return forces; }
+  static const Residual& forces_of(const Motion&, const Residual& forces) { return forces; }
 
  private:
   Motion motion_at(VecX v) const {

@@ -62,11 +62,11 @@ class ProximalPoints {
           next_point(options_.is_bold && !is_slow ? kRoughShare : kExactShare);
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
-        const Offer offer = offer_of(*next);
-        is_slow = !(offer.residual < std::max(kSlow * least(), options_.enough));
-        stalls = offer.residual < 0.5 * least() ? 0 : stalls + 1;
+        const Candidate candidate = candidate_of(*next);
+        is_slow = !(candidate.residual < std::max(kSlow * least(), options_.enough));
+        stalls = candidate.residual < 0.5 * least() ? 0 : stalls + 1;
         failures = 0;
-        keep(offer, point);
+        keep(candidate, point);
         if (best_->residual <= options_.wanted) return solution_of(*best_, best_->residual);
 
         // The next point, with a longer step; where rounding held this one back, with a shorter one.
@@ -104,7 +104,7 @@ class ProximalPoints {
   }
 
   /// Forces as an answer to the problem.
-  struct Offer {
+  struct Candidate {
     VecX lambda, w;
     std::vector<ContactMode> modes;
     double residual;          ///< Of the law.
@@ -113,30 +113,34 @@ class ProximalPoints {
     int point = 0;            ///< After how many points.
   };
 
-  Offer offer_of(const ProximalPoint& point) const {
-    Offer offer{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
-    offer.w = motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(offer.lambda))) + laws_.b;
-    const double size = size_of_(offer.lambda);
-    offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
-    VecX change = offer.lambda - lambda_;
+  Candidate candidate_of(const ProximalPoint& point) const {
+    Candidate candidate{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
+    candidate.w =
+        motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(candidate.lambda))) + laws_.b;
+    const double size = size_of_(candidate.lambda);
+    candidate.residual = law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w);
+    VecX change = candidate.lambda - lambda_;
     for (Index i = 0; i < masses_.size(); ++i) change.segment<3>(3 * i) /= rho_ * masses_(i);
-    offer.change = change.cwiseAbs().maxCoeff();
-    offer.changed_residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w + change);
-    return offer;
+    candidate.change = change.cwiseAbs().maxCoeff();
+    candidate.changed_residual =
+        law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w + change);
+    return candidate;
   }
 
   double least() const { return best_ ? best_->residual : std::numeric_limits<double>::infinity(); }
 
-  /// Keeps the offer if it is the best so far, of the law with b or of that with b'.
-  void keep(Offer offer, int point) {
-    offer.point = point;
-    const bool is_near = offer.change <= options_.resolution && offer.changed_residual <= options_.enough;
-    if (is_near && (!nearest_ || offer.change < nearest_->change)) nearest_ = offer;
-    if (offer.residual < least()) best_ = std::move(offer);
+  /// Keeps the candidate if it is the best so far, of the law with b or of that with b'.
+  void keep(Candidate candidate, int point) {
+    candidate.point = point;
+    const bool is_near =
+        candidate.change <= options_.resolution && candidate.changed_residual <= options_.enough;
+    if (is_near && (!nearest_ || candidate.change < nearest_->change)) nearest_ = candidate;
+    if (candidate.residual < least()) best_ = std::move(candidate);
   }
 
-  CoulombSolution solution_of(const Offer& offer, double residual) const {
-    return {offer.lambda,     offer.w, offer.modes, residual, offer.point, residual <= options_.enough,
+  CoulombSolution solution_of(const Candidate& candidate, double residual) const {
+    return {candidate.lambda, candidate.w,     candidate.modes,
+            residual,         candidate.point, residual <= options_.enough,
             "proximal points"};
   }
 
@@ -149,9 +153,9 @@ class ProximalPoints {
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_;
   SearchByForces by_forces_;
-  bool is_bold_;                  ///< Whether the forces are unknowns, too.
-  std::optional<Offer> best_;     ///< Of the least residual.
-  std::optional<Offer> nearest_;  ///< Of those that solve the law with a b' within the resolution.
+  bool is_bold_;                      ///< Whether the forces are unknowns, too.
+  std::optional<Candidate> best_;     ///< Of the least residual.
+  std::optional<Candidate> nearest_;  ///< Of those that solve the law with a b' within the resolution.
 };
 
 }  // namespace
