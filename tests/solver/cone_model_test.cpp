@@ -25,7 +25,7 @@ MotionProblem rows_of(const scenes::Scene& scene) {
   scenes::JointedScene jointed;
   static_cast<scenes::Scene&>(jointed) = scene;
   MotionProblem problem = scenes::motion_problem_of(jointed);
-  hold_nodes(nullptr, {}, problem.rows);
+  constrain_nodes(nullptr, {}, problem.rows);
   return problem;
 }
 

@@ -53,7 +53,7 @@ MotionProblem motion_problem_of(const JointedScene& scene) {
   }
   const auto joints = std::make_shared<ConstrainedMass>(graph);
   joints->factor(problem.rows.masses, blocks_of(blocks));
-  hold_nodes(joints, nodes, problem.rows);
+  constrain_nodes(joints, nodes, problem.rows);
   problem.laws = problem_of(scene);
   problem.laws.A.resize(0, 0);
   const VecX p = with_joints(problem.rows, node_wrenches(problem.rows, free_motion(scene)));

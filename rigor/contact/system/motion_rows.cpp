@@ -64,8 +64,8 @@ ContactRows motion_rows(const ContactSystem& system) {
   if (!system.joints || system.joints->held_bodies().empty()) return rows;
   std::vector<int> held;
   for (const std::size_t body : system.joints->held_bodies()) held.push_back(nodes[body]);
-  hold_nodes(std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations()),
-             std::move(held), rows);
+  constrain_nodes(std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations()),
+                  std::move(held), rows);
   return rows;
 }
 

@@ -146,7 +146,7 @@ bool BlockElimination::factor(const VecX& scales) {
 
 bool BlockElimination::factor() {
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    if (!holds_.empty() && holds_[place].is_held) substitute_hold(place);
+    if (!attachments_.empty() && attachments_[place].is_held) substitute_attachment(place);
     if (!factor_pivot(blocks_[place], swaps_[place])) return false;
     eliminate(place);
   }
@@ -219,13 +219,13 @@ void BlockElimination::solve_pivot(const Block6& LU, const Swaps& swapped, Vec6&
   }
 }
 
-void BlockElimination::hold(int node, const NodeHold& hold) {
-  holds_.resize(pattern_.node_count());
+void BlockElimination::attach(int node, const NodeAttachment& attachment) {
+  attachments_.resize(pattern_.node_count());
   const std::size_t place = at(pattern_.place(node));
-  PlaceHold& held = holds_[place];
-  held = {true, place, {}, hold.V, hold.T};
-  if (!hold.parent) return;
-  held.parent = at(pattern_.place(*hold.parent));
+  PlaceAttachment& held = attachments_[place];
+  held = {true, place, {}, attachment.V, attachment.T};
+  if (!attachment.parent) return;
+  held.parent = at(pattern_.place(*attachment.parent));
   for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
     const std::size_t other = pattern_.second(i);
     if (other == held.parent) continue;
@@ -235,45 +235,45 @@ void BlockElimination::hold(int node, const NodeHold& hold) {
 }
 
 /// The equations and unknowns of the place become those of its y; what T takes of them goes to its parent.
-void BlockElimination::substitute_hold(std::size_t place) {
-  const PlaceHold& hold = holds_[place];
+void BlockElimination::substitute_attachment(std::size_t place) {
+  const PlaceAttachment& attachment = attachments_[place];
   Block6* const upper = blocks_.data() + pattern_.node_count();
   Block6* const lower = blocks_.data() + first_lower();
   if (hangs_on_node(place)) move_to_parent(place);
   Block6& own = blocks_[place];
-  own = Block6(hold.V.transpose().lazyProduct(Block6(own.lazyProduct(hold.V))));
+  own = Block6(attachment.V.transpose().lazyProduct(Block6(own.lazyProduct(attachment.V))));
   // Columns of V that are zero stand for unknowns that are not there: y = 0.
   for (int k = 0; k < 6; ++k)
-    if (hold.V.col(k).isZero(0)) own(k, k) = 1;
+    if (attachment.V.col(k).isZero(0)) own(k, k) = 1;
   for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
-    upper[i] = Block6(hold.V.transpose().lazyProduct(upper[i]));
-    lower[i] = Block6(lower[i].lazyProduct(hold.V));
+    upper[i] = Block6(attachment.V.transpose().lazyProduct(upper[i]));
+    lower[i] = Block6(lower[i].lazyProduct(attachment.V));
   }
 }
 
 /// With x = V y + T x_p for place c: A_pp += Tᵀ A_cc T + Tᵀ A_cp + A_pc T, for other places k A_pk += Tᵀ A_ck
 /// and A_kp += A_kc T, and A_cp and A_pc become A_cp + A_cc T and A_pc + Tᵀ A_cc.
 void BlockElimination::move_to_parent(std::size_t place) {
-  const PlaceHold& hold = holds_[place];
+  const PlaceAttachment& attachment = attachments_[place];
   Block6* const upper = blocks_.data() + pattern_.node_count();
   Block6* const lower = blocks_.data() + first_lower();
   const Block6& own = blocks_[place];
-  const Block6 T_T = hold.T.transpose();
-  auto row = hold.rows.begin();
+  const Block6 T_T = attachment.T.transpose();
+  auto row = attachment.rows.begin();
   for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
     const std::size_t other = pattern_.second(i);
-    if (other == hold.parent) {
-      Block6& of_parent = blocks_[hold.parent];
+    if (other == attachment.parent) {
+      Block6& of_parent = blocks_[attachment.parent];
       of_parent += T_T.lazyProduct(upper[i]);
-      upper[i] += own.lazyProduct(hold.T);
+      upper[i] += own.lazyProduct(attachment.T);
       lower[i] += T_T.lazyProduct(own);
       // (A_pc + Tᵀ A_cc) T has the two terms that are left.
-      of_parent += lower[i].lazyProduct(hold.T);
+      of_parent += lower[i].lazyProduct(attachment.T);
       continue;
     }
-    const bool is_after = other > hold.parent;
+    const bool is_after = other > attachment.parent;
     (is_after ? upper : lower)[*row] += T_T.lazyProduct(upper[i]);
-    (is_after ? lower : upper)[*row] += lower[i].lazyProduct(hold.T);
+    (is_after ? lower : upper)[*row] += lower[i].lazyProduct(attachment.T);
     ++row;
   }
 }
@@ -310,9 +310,9 @@ VecX BlockElimination::solve(const VecX& c) const {
 
   // Forward with L, back with U.
   for (std::size_t place = 0; place < x.size(); ++place) {
-    if (!holds_.empty() && holds_[place].is_held) {
-      if (hangs_on_node(place)) x[holds_[place].parent] += holds_[place].T.transpose() * x[place];
-      x[place] = Vec6(holds_[place].V.transpose() * x[place]);
+    if (!attachments_.empty() && attachments_[place].is_held) {
+      if (hangs_on_node(place)) x[attachments_[place].parent] += attachments_[place].T.transpose() * x[place];
+      x[place] = Vec6(attachments_[place].V.transpose() * x[place]);
     }
     solve_pivot(blocks_[place], swaps_[place], x[place]);
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
@@ -321,9 +321,9 @@ VecX BlockElimination::solve(const VecX& c) const {
   for (std::size_t place = x.size(); place-- > 0;) {
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
       x[place].noalias() -= upper[i] * x[pattern_.second(i)];
-    if (holds_.empty() || !holds_[place].is_held) continue;
-    x[place] = Vec6(holds_[place].V * x[place]);
-    if (hangs_on_node(place)) x[place] += holds_[place].T * x[holds_[place].parent];
+    if (attachments_.empty() || !attachments_[place].is_held) continue;
+    x[place] = Vec6(attachments_[place].V * x[place]);
+    if (hangs_on_node(place)) x[place] += attachments_[place].T * x[attachments_[place].parent];
   }
 
   for (std::size_t place = 0; place < scales_.size(); ++place)

@@ -47,7 +47,7 @@ using Block6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 /// How a node hangs on another one that is eliminated later, or on the ground: of its unknowns x = V y + T
 /// x_parent only y (as many as V has columns that are not zero, the first ones) are free.
-struct NodeHold {
+struct NodeAttachment {
   std::optional<int> parent;  ///< A node that is paired with it; none: the ground.
   Block6 V = Block6::Zero(), T = Block6::Zero();
 };
@@ -67,7 +67,7 @@ class BlockElimination {
   BlockElimination(const EliminationPattern& pattern, bool is_symmetric);
 
   /// Holds a node in all matrices from now on; none of them is to be symmetric.
-  void hold(int node, const NodeHold& hold);
+  void attach(int node, const NodeAttachment& attachment);
   /// Begins with another matrix: all blocks are zero again.
   void restart(bool is_symmetric);
   /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
@@ -96,15 +96,15 @@ class BlockElimination {
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Block6& X);
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Vec6& x);
   /// A hold by places.
-  struct PlaceHold {
+  struct PlaceAttachment {
     bool is_held = false;
     std::size_t parent = 0;         ///< Place; its own: the ground.
     std::vector<std::size_t> rows;  ///< Pairs of the parent with the other later places, in their order.
     Block6 V, T;
   };
-  bool hangs_on_node(std::size_t place) const { return holds_[place].parent != place; }
+  bool hangs_on_node(std::size_t place) const { return attachments_[place].parent != place; }
   void scale();
-  void substitute_hold(std::size_t place);
+  void substitute_attachment(std::size_t place);
   void move_to_parent(std::size_t place);
   void eliminate(std::size_t place);
 
@@ -113,8 +113,8 @@ class BlockElimination {
   std::vector<Vec6> scales_;  ///< One a place; none: 1.
   std::vector<Block6> blocks_;  ///< By slot. Above the diagonal A_pk, once p is eliminated A_pp⁻¹ A_pk; below
                                 ///< it A_kp, of symmetric matrices from when p is eliminated.
-  std::vector<Swaps> swaps_;      ///< By place.
-  std::vector<PlaceHold> holds_;  ///< By place; none: no node is held.
+  std::vector<Swaps> swaps_;                  ///< By place.
+  std::vector<PlaceAttachment> attachments_;  ///< By place; none: no node is held.
 };
 
 }  // namespace rigor

@@ -22,7 +22,7 @@ class ContactMatrix {
 
   /// Holds a node in all matrices (BlockElimination::hold), in unknowns that are scaled. None of them is to
   /// be symmetric.
-  void hold(int node, const NodeHold& hold) { blocks_.hold(node, hold); }
+  void attach(int node, const NodeAttachment& attachment) { blocks_.attach(node, attachment); }
   const VecX& scales() const { return scales_; }
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);

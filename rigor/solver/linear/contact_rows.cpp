@@ -76,7 +76,8 @@ Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index
   return count;
 }
 
-void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows) {
+void constrain_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes,
+                     ContactRows& rows) {
   rows.joints = std::move(joints);
   rows.joint_nodes = std::move(nodes);
   // The base is dense: with more nodes it takes longer to work with than the sparse factors of their

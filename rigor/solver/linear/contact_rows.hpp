@@ -38,7 +38,8 @@ struct ContactRows {
 };
 
 /// Gives the rows these joints on these of its nodes, factored with their masses.
-void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows);
+void constrain_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes,
+                     ContactRows& rows);
 
 /// J V (3n).
 VecX contact_rates(const ContactRows& rows, const VecX& V);

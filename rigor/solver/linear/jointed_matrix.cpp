@@ -15,7 +15,7 @@ namespace {
 /// x = V y + T x_parent for J x + J_p x_parent = 0, from the transposed J (6 × rows) and J_p (6 × rows, or
 /// none): with Jᵀ = Q (R, 0) the last columns of Q are V, and T = -Q (R⁻ᵀ J_p, 0). Whether the rows of J are
 /// independent.
-bool make_hold(const MatX& J_T, const MatX* parent_T, NodeHold& hold) {
+bool make_attachment(const MatX& J_T, const MatX* parent_T, NodeAttachment& attachment) {
   constexpr double dependent = 1e-5;
   const Index rows = J_T.cols();
   if (rows > 6) return false;
@@ -25,9 +25,10 @@ bool make_hold(const MatX& J_T, const MatX* parent_T, NodeHold& hold) {
     if (!(std::abs(R(i, i)) > dependent * J_T.col(i).norm())) return false;
   MatX Q = MatX::Identity(6, 6);
   apply_householder_q(factors, Q);
-  hold.V.leftCols(6 - rows) = Q.rightCols(6 - rows);
+  attachment.V.leftCols(6 - rows) = Q.rightCols(6 - rows);
   if (parent_T != nullptr)
-    hold.T = -Q.leftCols(rows) * R.transpose().triangularView<Eigen::Lower>().solve(parent_T->transpose());
+    attachment.T =
+        -Q.leftCols(rows) * R.transpose().triangularView<Eigen::Lower>().solve(parent_T->transpose());
   return true;
 }
 
@@ -39,7 +40,7 @@ JointedMatrix::JointedMatrix(const ContactRows& rows, const EliminationPattern& 
   const JointTies ties = joint_ties(rows);
   is_held_ = !ties.ties.empty();
   is_possible_ = ties.loop_rows.size() <= most_loop_rows;
-  for (const JointTies::Tie& tie : ties.ties) is_possible_ = is_possible_ && hold(pattern, tie);
+  for (const JointTies::Tie& tie : ties.ties) is_possible_ = is_possible_ && attach(pattern, tie);
 
   C_T_.setZero(6 * static_cast<Index>(rows.node_count()), static_cast<Index>(ties.loop_rows.size()));
   for (std::size_t k = 0; k < ties.loop_rows.size(); ++k)
@@ -48,7 +49,7 @@ JointedMatrix::JointedMatrix(const ContactRows& rows, const EliminationPattern& 
 }
 
 /// The first of the tie's nodes that is eliminated hangs on the other one.
-bool JointedMatrix::hold(const EliminationPattern& pattern, const JointTies::Tie& tie) {
+bool JointedMatrix::attach(const EliminationPattern& pattern, const JointTies::Tie& tie) {
   const bool is_grounded = tie.nodes.size() == 1;
   const std::size_t first = is_grounded || pattern.place(tie.nodes[0]) < pattern.place(tie.nodes[1]) ? 0 : 1;
   const auto scaled = [this, &tie](std::size_t k) {
@@ -56,14 +57,14 @@ bool JointedMatrix::hold(const EliminationPattern& pattern, const JointTies::Tie
   };
   constexpr std::uint64_t operations = 30;  // Of the factors of a link's rows.
   count_work(operations);
-  NodeHold node_hold;
+  NodeAttachment attachment;
   MatX of_parent;
   if (!is_grounded) {
-    node_hold.parent = tie.nodes[1 - first];
+    attachment.parent = tie.nodes[1 - first];
     of_parent = scaled(1 - first);
   }
-  if (!make_hold(scaled(first), is_grounded ? nullptr : &of_parent, node_hold)) return false;
-  matrix_.hold(tie.nodes[first], node_hold);
+  if (!make_attachment(scaled(first), is_grounded ? nullptr : &of_parent, attachment)) return false;
+  matrix_.attach(tie.nodes[first], attachment);
   return true;
 }
 

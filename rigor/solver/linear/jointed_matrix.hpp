@@ -10,8 +10,8 @@
 namespace rigor {
 
 /// The matrices M + Σ_i J_iᵀ D_i J_i of contacts on nodes that joints hold, on the motions that these allow:
-/// trees of joints go along with the elimination of their nodes (NodeHold), in a time that grows about in
-/// proportion to the nodes; the rows that close loops, independent and few, border the matrix.
+/// trees of joints go along with the elimination of their nodes (NodeAttachment), in a time that grows about
+/// in proportion to the nodes; the rows that close loops, independent and few, border the matrix.
 class JointedMatrix {
  public:
   /// With a share of the masses. Holds references to the rows and the pattern, which is that of the rows.
@@ -26,7 +26,7 @@ class JointedMatrix {
   VecX solve(const VecX& c) const;
 
  private:
-  bool hold(const EliminationPattern& pattern, const JointTies::Tie& tie);
+  bool attach(const EliminationPattern& pattern, const JointTies::Tie& tie);
 
   ContactMatrix matrix_;
   bool is_possible_ = true;

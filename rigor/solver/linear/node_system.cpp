@@ -239,7 +239,7 @@ VecX NodeSystem::solve(const VecX& c) const {
       is_held_[k] ? on_held(6 * static_cast<Index>(k), places_[k])
                   : on_free(6 * static_cast<Index>(k), places_[k]);
   };
-  // The right side on the base: free nodes, then Nᵀ c of those that joints hold.
+  // The right side on the base: free nodes, then Nᵀ c of those that joints attachment.
   VecX reduced(size_), held(rows_.held_motions.rows()), x(c.size());
   for_each_node([&](Index row, Index place) { reduced.segment<6>(place) = c.segment<6>(row); },
                 [&](Index row, Index place) { held.segment<6>(place) = c.segment<6>(row); });
