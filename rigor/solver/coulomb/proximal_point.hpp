@@ -22,7 +22,7 @@ struct ProximalStart {
   double share;        ///< How large the residual may be, as a share of what the point moves.
 };
 
-/// Forces that solve the law of contacts that give step: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
+/// Forces that solve the law of contacts that give way: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
 struct ProximalPoint {
   VecX lambda;
   std::vector<ContactMode> modes;
@@ -47,19 +47,18 @@ inline bool is_at_rounding(double error, double error_of_step, double size) {
 
 /// Newton's method with a search along its line. A Search has
 ///   start()                           the first iterate: at least v and momentum = M v;
-///   measure(iterate, residual)              how the iterate misses the law: at least `error`, in the metric
-///   of the
+///   measure(iterate, residual)        how the iterate misses the law: at least `error`, in the metric of the
 ///                                     masses, and modes;
-///   direction_from(iterate, residual)             Newton's direction, a iterate;
-///   move(iterate, length, direction, there)   along it;
-///   forces_of(iterate, residual)            what has lambda and generalised_force = Lᵀ λ;
+///   direction_from(iterate, residual) Newton's direction, an iterate;
+///   move(iterate, length, direction, next) along it;
+///   forces_of(iterate, residual)      what has lambda and generalised_force = Lᵀ λ;
 ///   motion()                          the ContactMotion.
 template <typename Search>
 std::optional<ProximalPoint> newton_point(const Search& search, double share, int most_steps,
                                           int most_halvings) {
   constexpr double kDecrease = 1e-4;
   const auto start = search.start();
-  auto iterate = start, there = start;
+  auto iterate = start, next = start;
   typename Search::Residual residual, trial;
   search.measure(iterate, residual);
   for (int step = 0; step < most_steps; ++step) {
@@ -76,17 +75,17 @@ std::optional<ProximalPoint> newton_point(const Search& search, double share, in
     const auto direction = search.direction_from(iterate, residual);
     if (!direction.v.allFinite()) return std::nullopt;
     double length = 1;
-    search.move(iterate, length, direction, there);
-    search.measure(there, trial);
+    search.move(iterate, length, direction, next);
+    search.measure(next, trial);
     for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * residual.error); ++k) {
       length *= 0.5;
-      search.move(iterate, length, direction, there);
-      search.measure(there, trial);
+      search.move(iterate, length, direction, next);
+      search.measure(next, trial);
     }
     if (is_at_rounding(residual.error, trial.error, size))
       return ProximalPoint{forces.lambda, residual.modes, true};
     if (!(trial.error < residual.error)) return std::nullopt;
-    std::swap(iterate, there);
+    std::swap(iterate, next);
     std::swap(residual, trial);
   }
   return std::nullopt;

@@ -134,7 +134,7 @@ double SearchByForces::size_of(const Iterate& step) const {
 }
 
 /// Whether the step from `next_` with the matrix as it is, is shorter than the one that led there: the law
-/// bends on the step, and more forces residual it than before, but the next steps will put this right.
+/// bends on the step, and more forces miss it than before, but the next steps will put this right.
 /// (Deuflhard, Newton Methods for Nonlinear Problems, 2004: the natural monotonicity test.)
 bool SearchByForces::contracts(double length) {
   direct(next_, trial_, simplified_);
@@ -182,7 +182,7 @@ bool SearchByForces::search_kinks() {
   return true;
 }
 
-/// The step along the step: all of it, to a kink, or halved until the error falls in proportion to the step.
+/// How far to go along the step: all of it, to a kink, or halved until the error falls in proportion to the step.
 bool SearchByForces::search_line() {
   constexpr int kMostHalvings = 6;
   move(iterate_, 1, step_, next_);

@@ -23,7 +23,7 @@ class SearchByForces {
     VecX lambda;             ///< 3n.
     VecX generalised_force;  ///< Lᵀ λ.
   };
-  /// How a iterate misses the law.
+  /// How an iterate misses the law.
   struct Residual {
     VecX F;  ///< λ - P(λ - c w) (3n).
     std::vector<ContactMode> modes;

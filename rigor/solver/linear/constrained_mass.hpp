@@ -80,7 +80,7 @@ class ConstrainedMass {
     ActiveRows active{};
     std::vector<SpanningForest::PathNode> path;
     std::vector<Mat6> U;  ///< One a place of the path: K_Y times what the rows' wrenches become there.
-    std::vector<Mat6> P;  ///< U without what the tree's links attachment.
+    std::vector<Mat6> P;  ///< U without what the tree's links hold.
     Vec6 sizes;           ///< Of each row: Σ J D⁻¹ Jᵀ of its nodes.
     std::array<Eigen::Index, 6> dense{};  ///< Its rows in the dense system; -1 if not active.
   };

@@ -18,9 +18,9 @@ class ContactMotion {
  public:
   virtual ~ContactMotion() = default;
   virtual void rates(const VecX& v, VecX& w) const = 0;  ///< L v (3n).
-  virtual void apply_transpose(const VecX& lambda,
-                               VecX& p) const = 0;            ///< Lᵀ λ, with what joints do about it.
-  virtual void apply_mass(const VecX& v, VecX& p) const = 0;  ///< M v.
+  /// Lᵀ λ, with what joints do about it.
+  virtual void apply_transpose(const VecX& lambda, VecX& p) const = 0;
+  virtual void apply_mass(const VecX& v, VecX& p) const = 0;          ///< M v.
   virtual void apply_inverse_mass(const VecX& p, VecX& v) const = 0;  ///< M⁻¹ p.
   virtual const VecX& diagonal() const = 0;                           ///< Of A (3n).
   /// Begins with the matrix M + Lᵀ D L of a Newton step, with one 3 × 3 matrix D a contact, positive
