@@ -138,10 +138,10 @@ TEST(Auditor, NamesPairAndTimeOfAnOverlapBeyondTheContactTolerance) {
 
 TEST(Auditor, SaysWhereForcesDoNotDetermineTheMotion) {
   AdvanceReport report;
-  report.force_doubt = {0.5, 1, 0.125};
+  report.force_uncertainty = {0.5, 1, 0.125};
   EXPECT_TRUE(has(audit_of(method_of(Scheme::time_stepping), report).violations,
                   "the acceleration of ball at t = 0.125 s"));
-  report.force_doubt.share = 0.01;
+  report.force_uncertainty.share = 0.01;
   EXPECT_EQ(audit_of(method_of(Scheme::time_stepping), report).violations, std::vector<std::string>{});
 }
 

@@ -47,7 +47,8 @@ void visit_numbers(Part& audit, Visit visit) {
   visit(report.max_penetration), visit(report.penetration_A), visit(report.penetration_B);
   visit(report.penetration_time), visit(report.worst_overlap.share), visit(report.worst_overlap.depth);
   visit(report.worst_overlap.body_A), visit(report.worst_overlap.body_B);
-  visit(report.force_doubt.share), visit(report.force_doubt.body), visit(report.force_doubt.time);
+  visit(report.force_uncertainty.share), visit(report.force_uncertainty.body),
+      visit(report.force_uncertainty.time);
   visit(report.worst_overlap.time), visit(report.work), visit(report.motor_work), visit(report.impact_loss),
       visit(report.impact_gain);
   visit(report.damping_loss), visit(report.friction_loss);

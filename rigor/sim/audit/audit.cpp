@@ -266,13 +266,14 @@ void Auditor::find_violations(Audit& audit) const {
                     model_->body(passages.body_A).name, model_->body(passages.body_B).name, passages.first,
                     passages.instants == 1 ? "" : fmt::format(", the first of {} times", passages.instants)));
   }
-  const ForceDoubt& doubt = audit.report.force_doubt;
-  if (doubt.share > promises.force_doubt) {
-    audit.broken.push_back(Audit::Promise::force_doubt);
+  const ForceUncertainty& uncertainty = audit.report.force_uncertainty;
+  if (uncertainty.share > promises.force_uncertainty) {
+    audit.broken.push_back(Audit::Promise::force_uncertainty);
     audit.violations.push_back(fmt::format(
         "the forces of contacts determine the acceleration of {} at t = {:.6g} s to {:.3g} of that of "
         "its weight only, the tolerance is {:.3g} of it: it carries bodies too heavy for it",
-        model_->body(doubt.body).name, doubt.time, doubt.share, promises.force_doubt));
+        model_->body(uncertainty.body).name, uncertainty.time, uncertainty.share,
+        promises.force_uncertainty));
   }
 }
 

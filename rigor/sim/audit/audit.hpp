@@ -104,7 +104,7 @@ struct Audit {
   /// trusted.
   std::vector<std::string> violations;
   /// What they are about, one each.
-  enum class Promise { energy, momentum, joints, overlap, force_doubt };
+  enum class Promise { energy, momentum, joints, overlap, force_uncertainty };
   /// As many as violations.
   std::vector<Promise> broken;
 };

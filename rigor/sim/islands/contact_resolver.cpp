@@ -7,7 +7,7 @@
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
-#include "rigor/sim/report/force_doubt.hpp"
+#include "rigor/sim/report/force_uncertainty.hpp"
 #include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
@@ -230,7 +230,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
     return lasting;
   }
   // Forces that were not found move nothing, and are nothing to judge.
-  note_force_doubt(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);
+  note_force_uncertainty(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (resting.states[i].mode == ContactMode::open) continue;
     lasting.contacts.push_back(candidates[i]);

@@ -110,7 +110,7 @@ void AdvanceReport::add(const AdvanceReport& later) {
   max_residual = std::max(max_residual, later.max_residual);
   max_iterations = std::max(max_iterations, later.max_iterations);
   fallbacks += later.fallbacks;
-  if (later.force_doubt.share > force_doubt.share) force_doubt = later.force_doubt;
+  if (later.force_uncertainty.share > force_uncertainty.share) force_uncertainty = later.force_uncertainty;
   coarse_steps += later.coarse_steps;
   inconsistent.add(later.inconsistent);
   indeterminate.add(later.indeterminate);

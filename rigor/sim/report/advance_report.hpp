@@ -61,8 +61,8 @@ struct RelativeOverlap {
   double time = 0;   ///< [s].
 };
 
-/// How well contact forces determine the acceleration of a body (note_force_doubt).
-struct ForceDoubt {
+/// How well contact forces determine the acceleration of a body (note_force_uncertainty).
+struct ForceUncertainty {
   double share = 0;  ///< Of the acceleration by its weight.
   /// Index in the model.
   int body = -1;
@@ -125,10 +125,10 @@ struct AdvanceReport {
   /// Momenta and impulses that steps in 32 bits have rounded, summed over their sweeps [kg m/s].
   double rounded_momentum = 0;
 
-  double max_residual = 0;  ///< Largest relative residual of a contact problem.
-  int max_iterations = 0;   ///< Most iterations of a contact problem.
-  long fallbacks = 0;       ///< Contact problems that did not converge to their tolerance.
-  ForceDoubt force_doubt;   ///< The largest.
+  double max_residual = 0;             ///< Largest relative residual of a contact problem.
+  int max_iterations = 0;              ///< Most iterations of a contact problem.
+  long fallbacks = 0;                  ///< Contact problems that did not converge to their tolerance.
+  ForceUncertainty force_uncertainty;  ///< The largest.
   /// Steps at velocity level (first order, where slip or modes change faster than time resolves) or with an
   /// error estimate above the tolerance.
   long coarse_steps = 0;

@@ -12,7 +12,7 @@ SchemePromises weaker_of(const SchemePromises& a, const SchemePromises& b) {
           .momentum_share = std::max(a.momentum_share, b.momentum_share),
           .rounding_share = std::max(a.rounding_share, b.rounding_share),
           .weight_share = std::max(a.weight_share, b.weight_share),
-          .force_doubt = std::max(a.force_doubt, b.force_doubt),
+          .force_uncertainty = std::max(a.force_uncertainty, b.force_uncertainty),
           .joint_drift = std::max(a.joint_drift, b.joint_drift),
           .penetration = std::max(a.penetration, b.penetration),
           .penetration_share = std::max(a.penetration_share, b.penetration_share)};

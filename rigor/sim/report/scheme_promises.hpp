@@ -25,7 +25,7 @@ struct SchemePromises {
   /// Error of the momenta besides, relative to the impulse that the weights of all bodies give in the run.
   double weight_share = 0;
   /// How well contact forces determine accelerations, as a share of those of the bodies' weights.
-  double force_doubt = 0.1;
+  double force_uncertainty = 0.1;
   double joint_drift = 0;                                        ///< Of any joint [m or rad].
   double penetration = std::numeric_limits<double>::infinity();  ///< Of any pair of bodies [m].
   /// The same as a share of the thickness of the thinner body: deeper overlaps have lost their sides.

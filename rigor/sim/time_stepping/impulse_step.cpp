@@ -8,7 +8,7 @@
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
-#include "rigor/sim/report/force_doubt.hpp"
+#include "rigor/sim/report/force_uncertainty.hpp"
 #include "rigor/sim/report/ledger.hpp"
 #include "rigor/sim/time_stepping/step_rates.hpp"
 
@@ -401,7 +401,7 @@ std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& par
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
     forces = forces_of(system, solution, h);
-    note_force_doubt(system, solution.lambda / h, environment_, part.t, report);
+    note_force_uncertainty(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
     push(span, part, system, enter_impulses(part, system, solution, springs, end), end);
   }

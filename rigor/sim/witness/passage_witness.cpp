@@ -149,8 +149,8 @@ std::optional<double> PassageWitness::entry_of(int a, const Solid& solid, const 
     const double begin = std::max(i->begin(), j->begin()), end = std::min(i->end(), j->end());
     for (const Marker& marker : marked_[at(a)]->markers) {
       if (!(end > begin)) break;
-      const Pursuit pursuit(*i, marker, *j, body, body.shapes[at(solid.shape)]);
-      if (const auto entry = pursuit.first_entry(begin, first ? *first : end)) first = entry;
+      const RelativeTrajectory trajectory(*i, marker, *j, body, body.shapes[at(solid.shape)]);
+      if (const auto entry = trajectory.first_entry(begin, first ? *first : end)) first = entry;
     }
     i->end() < j->end() ? ++i : ++j;
   }

@@ -4,7 +4,7 @@
 #include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/model/state.hpp"
 #include "rigor/sim/report/advance_report.hpp"
-#include "rigor/sim/witness/pursuit.hpp"
+#include "rigor/sim/witness/relative_trajectory.hpp"
 #include "rigor/sim/witness/step_moves.hpp"
 #include "rigor/sim/witness/watched_pairs.hpp"
 
@@ -17,9 +17,9 @@ namespace rigor {
 
 /// Watches whether a body goes into or through another, by another way than the search for contacts: rays.
 /// Points well inside each shape are followed along the paths of the bodies, as seen from every other body
-/// that may collide with theirs (Pursuit); where such a point enters the solid of the other, the bodies have
-/// passed into each other by more than any contact allows. It knows nothing of distances, contacts and
-/// predictions. Bodies that overlap from the start are left alone until they part.
+/// that may collide with theirs (RelativeTrajectory); where such a point enters the solid of the other, the
+/// bodies have passed into each other by more than any contact allows. It knows nothing of distances,
+/// contacts and predictions. Bodies that overlap from the start are left alone until they part.
 class PassageWitness {
  public:
   explicit PassageWitness(std::shared_ptr<const Model> model);

@@ -1,4 +1,4 @@
-#include "rigor/sim/witness/pursuit.hpp"
+#include "rigor/sim/witness/relative_trajectory.hpp"
 
 #include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
@@ -23,7 +23,7 @@ bool goes_in(const Shape& shape, const RayHit& hit) {
 
 }  // namespace
 
-std::optional<double> Pursuit::first_entry(double ta, double tb) const {
+std::optional<double> RelativeTrajectory::first_entry(double ta, double tb) const {
   const double sway = of_marker_.knows_orientation() ? 0 : offset_;
   if (!of_solid_.knows_orientation() || sway > share_of_clearance * marker_.clearance) return std::nullopt;
   if (stay_apart(ta, tb)) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<double> Pursuit::first_entry(double ta, double tb) const {
 
 /// Whether two bodies that go straight come no nearer to each other than the marker and the solid reach: most
 /// of those that fall side by side.
-bool Pursuit::stay_apart(double ta, double tb) const {
+bool RelativeTrajectory::stay_apart(double ta, double tb) const {
   if (!of_marker_.is_straight() || !of_solid_.is_straight()) return false;
   const Vec3 begin = of_marker_.position(ta) - of_solid_.position(ta);
   const Vec3 path = of_marker_.position(tb) - of_solid_.position(tb) - begin;
@@ -42,13 +42,13 @@ bool Pursuit::stay_apart(double ta, double tb) const {
 }
 
 /// The marker in the frame of the other body.
-Vec3 Pursuit::seen(double t) const {
+Vec3 RelativeTrajectory::seen(double t) const {
   const Vec3 p_W = offset_ > 0 ? Vec3(of_marker_.pose(t) * marker_.p_B) : of_marker_.position(t);
   return of_solid_.pose(t).inverse() * p_W;
 }
 
 /// Whether the boxes of the marker's way and of the solid's meet.
-bool Pursuit::may_meet(double ta, double tb) const {
+bool RelativeTrajectory::may_meet(double ta, double tb) const {
   if (std::isinf(solid_.bounding_radius)) return true;
   Aabb path = of_marker_.centre_box(ta, tb);
   if (offset_ > 0) {
@@ -62,8 +62,8 @@ bool Pursuit::may_meet(double ta, double tb) const {
 
 /// Between two instants at which the marker is seen at a and b: by one chord where the way is straight
 /// enough, else in halves.
-std::optional<double> Pursuit::between(double ta, const Vec3& a, double tb, const Vec3& b,
-                                       int halvings) const {
+std::optional<double> RelativeTrajectory::between(double ta, const Vec3& a, double tb, const Vec3& b,
+                                                  int halvings) const {
   if (!may_meet(ta, tb)) return std::nullopt;
   const double tm = 0.5 * (ta + tb);
   const Vec3 m = seen(tm);
@@ -82,7 +82,7 @@ std::optional<double> Pursuit::between(double ta, const Vec3& a, double tb, cons
 }
 
 /// The part of a chord after which it first goes into the solid.
-std::optional<double> Pursuit::entry_of_chord(const Vec3& a, const Vec3& b) const {
+std::optional<double> RelativeTrajectory::entry_of_chord(const Vec3& a, const Vec3& b) const {
   for (const RayHit& hit : find_ray_hits(shape_.shape, shape_.X_BS, {a, b - a, 1})) {
     if (goes_in(shape_.shape, hit)) return hit.fraction;
   }

@@ -11,11 +11,11 @@ namespace rigor {
 /// A marker of one body as it is seen from a shape of another, while each has one piece of path. It is
 /// followed in chords that stay within a quarter of its clearance of the way and turn by less than half a
 /// radian.
-class Pursuit {
+class RelativeTrajectory {
  public:
   /// All arguments must outlive it.
-  Pursuit(const PathPiece& of_marker, const Marker& marker, const PathPiece& of_solid, const Body& solid,
-          const BodyShape& shape)
+  RelativeTrajectory(const PathPiece& of_marker, const Marker& marker, const PathPiece& of_solid,
+                     const Body& solid, const BodyShape& shape)
       : of_marker_(of_marker),
         marker_(marker),
         offset_(marker.p_B.norm()),

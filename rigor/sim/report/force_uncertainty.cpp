@@ -1,4 +1,4 @@
-#include "rigor/sim/report/force_doubt.hpp"
+#include "rigor/sim/report/force_uncertainty.hpp"
 
 #include "rigor/core/index.hpp"
 
@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-void note_force_doubt(const ContactSystem& system, const VecX& lambda, const Environment& environment,
-                      double t, AdvanceReport& report) {
+void note_force_uncertainty(const ContactSystem& system, const VecX& lambda, const Environment& environment,
+                            double t, AdvanceReport& report) {
   constexpr double known_share = 1e-10, vouching_share = 1e-3;
   // The largest force on each body, and the sum of all.
   std::vector<double> largest(system.bodies.size(), 0.0);
@@ -34,7 +34,7 @@ void note_force_doubt(const ContactSystem& system, const VecX& lambda, const Env
     const double inverse_mass = system.kinetics[b].inverse_mass;
     const double share = known_share * largest[b] * inverse_mass /
                          std::max(weight, vouching_share * inverse_mass * sums[b].norm());
-    if (share > report.force_doubt.share) report.force_doubt = {share, system.bodies[b], t};
+    if (share > report.force_uncertainty.share) report.force_uncertainty = {share, system.bodies[b], t};
   }
 }
 
