@@ -138,7 +138,7 @@ ExitCode execute(const StudyOptions& options) {
   // The wait for a journal and the first run end when asked; what follows asks by itself.
   const StudyCost cost = [&] {
     const InterruptScope scope(asks);
-    return study.foresee(journal);
+    return study.estimate_cost(journal);
   }();
   if (!options.is_quiet) fmt::print(stderr, "{}\n", cost_text(cost, pool->size()));
   if (study.resumed() > 0 && !options.is_quiet)

@@ -37,7 +37,7 @@ std::unique_ptr<Study> carry_out(const std::string& file, int threads, const std
   std::atomic<bool> is_interrupted = false;
   // The runs go on in threads that do not know Python; this one listens to it.
   std::future<void> work = std::async(std::launch::async, [&] {
-    study->foresee(journal);
+    study->estimate_cost(journal);
     const std::unique_ptr<WorkerPool> pool =
         make_thread_pool([&] { return study->make_executor(); }, threads);
     study->run(*pool, {journal, [&] { return is_interrupted.load(); }, {}});

@@ -8,7 +8,7 @@ struct HandoverMemory {
   /// Who carries the bodies: events; exact steps, whatever they cost or until time pays for them; soft steps.
   enum class Carrier { events, steps, soft_steps };
   Carrier carrier = Carrier::events;
-  double owed = 0;   ///< Work that events have cost beyond what simulated time pays for (EffortDebt).
+  double owed = 0;   ///< Work that events have cost beyond what simulated time pays for (WorkBudget).
   double price = 0;  ///< Work of one event, as it was when steps took over.
   /// Operations that exact steps have taken beyond what simulated time pays for (AdvanceReport::step_work).
   double owed_by_steps = 0;

@@ -67,7 +67,7 @@ void Study::load(const std::filesystem::path& journal, bool appends) {
   resumed_ = read_journal(journal, identity_, rows_);
 }
 
-StudyCost Study::foresee(const std::filesystem::path& journal) {
+StudyCost Study::estimate_cost(const std::filesystem::path& journal) {
   place_rows(journal, rows_);
   const double rows = static_cast<double>(strategy_->most());
   const double table = rows * RowTable::row_bytes(rows_.columns());

@@ -56,7 +56,7 @@ class Study {
   /// Carries out the first run, if it is not known, and foresees the cost from it. Throws FileError, before
   /// that, if the journal or the table has no room on this machine, and InputError if the run cannot be: a
   /// study whose first run is refused is a mistake. `journal` as in run().
-  StudyCost foresee(const std::filesystem::path& journal);
+  StudyCost estimate_cost(const std::filesystem::path& journal);
   /// Carries out all runs that are not known from the journal; whether the study came to its end.
   bool run(WorkerPool& pool, const StudySettings& settings);
 

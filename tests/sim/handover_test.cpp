@@ -423,16 +423,16 @@ TEST(Handover, WhoWantsExactStepsHasNoLastResort) {
   EXPECT_FALSE(resolve_scheme(*model, method).soft_steps.has_value());
 }
 
-TEST(EffortDebt, TimePaysForWork) {
-  EffortDebt debt{.rate = 100, .most = 50, .owed = 0, .t = 1};
-  debt.charge(40, 1);
-  EXPECT_FALSE(debt.is_exceeded());
-  debt.charge(40, 1.1);
-  EXPECT_DOUBLE_EQ(debt.owed, 70);
-  EXPECT_TRUE(debt.is_exceeded());
+TEST(WorkBudget, TimePaysForWork) {
+  WorkBudget budget{.rate = 100, .most = 50, .owed = 0, .t = 1};
+  budget.charge(40, 1);
+  EXPECT_FALSE(budget.is_exceeded());
+  budget.charge(40, 1.1);
+  EXPECT_DOUBLE_EQ(budget.owed, 70);
+  EXPECT_TRUE(budget.is_exceeded());
   // Nothing is saved up.
-  debt.charge(1, 10);
-  EXPECT_DOUBLE_EQ(debt.owed, 1);
+  budget.charge(1, 10);
+  EXPECT_DOUBLE_EQ(budget.owed, 1);
 }
 
 }  // namespace

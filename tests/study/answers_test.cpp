@@ -219,10 +219,10 @@ std::string huge() {
 
 TEST(Answers, WhatHasNoRoomIsToldBeforeAnythingRuns) {
   Study study(parse_study(huge(), testing::TempDir() + "huge.yaml"));
-  EXPECT_THROW(study.foresee({}), FileError);
+  EXPECT_THROW(study.estimate_cost({}), FileError);
   EXPECT_EQ(study.rows().count(), 0u);
   const std::string journal = temporary("huge.journal");
-  EXPECT_THROW(study.foresee(journal), FileError);
+  EXPECT_THROW(study.estimate_cost(journal), FileError);
   EXPECT_FALSE(std::filesystem::exists(journal));
   EXPECT_GT(study_file_bytes(study.plan(), study.most_runs(), "runs.csv"), 1e12);
   EXPECT_GT(study_file_bytes(study.plan(), study.most_runs(), "runs.h5"), 1e12);

@@ -61,7 +61,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
   trajectories_.begin_paths(t_end);  // The motions until now belong to the last call.
   read_state_from_bodies(state);
   trajectories_.begin_paths(state.t);
-  while (report_.reason == StopReason::reached_end && !debt_.is_exceeded() && compute_time_step()) {
+  while (report_.reason == StopReason::reached_end && !budget_.is_exceeded() && compute_time_step()) {
     if (is_interrupted()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
@@ -191,9 +191,9 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   const double effort_before = report_.effort;
   const std::uint64_t work_before = work_counted();
   Cluster cluster = compute_new_body_states(seeds);
-  if (EffortDebt foreseen = debt_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
+  if (WorkBudget foreseen = budget_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
     // Who takes over takes the bodies as they came here.
-    debt_ = foreseen;
+    budget_ = foreseen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
       trajectories_.set_motion(cluster.bodies[i], Motion::at_rest(cluster.phases[i], t_), t_);
     return;
@@ -202,7 +202,7 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   // Steps of islands come with their problems, but for those of jointed bodies, whose systems cost more.
   constexpr double units_of_an_operation = 1e-2;
   const double of_steps = units_of_an_operation * static_cast<double>(work_counted() - work_before);
-  debt_.charge(std::max(report_.effort - effort_before, of_steps), t_);
+  budget_.charge(std::max(report_.effort - effort_before, of_steps), t_);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
   drop_stale_events();
@@ -214,7 +214,7 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
 double EventDrivenStepper::least_effort_of(const Cluster& cluster) const {
   // Large groups that are hit take more, often many times as much.
   constexpr double iterations = 10;
-  if (!std::isfinite(debt_.most)) return 0;
+  if (!std::isfinite(budget_.most)) return 0;
   const auto kinetics = [&](int body) {
     return is_dynamic(body) ? dynamic_kinetics(model_->body(body), cluster.phase_of(body))
                             : prescribed_kinetics(model_->body(body), cluster.t);

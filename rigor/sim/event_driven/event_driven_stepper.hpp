@@ -11,7 +11,7 @@
 #include "rigor/sim/islands/contact_resolver.hpp"
 #include "rigor/sim/islands/island_stepping.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
-#include "rigor/sim/report/effort_debt.hpp"
+#include "rigor/sim/report/work_budget.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include <map>
@@ -38,9 +38,9 @@ class EventDrivenStepper : public Stepper {
   EventDrivenStepper(const EventDrivenStepper&) = delete;
   EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
   /// What the next call of advance() may cost and owes already: it ends at the event that exceeds it.
-  void set_debt(const EffortDebt& debt) { debt_ = debt; }
+  void set_budget(const WorkBudget& budget) { budget_ = budget; }
   /// What it owes since then.
-  const EffortDebt& debt() const { return debt_; }
+  const WorkBudget& budget() const { return budget_; }
   /// With the forces of each body's last event: those at the beginning of the step that it is in, if it
   /// moves. Where steps are at velocity level, they are not known.
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
@@ -136,7 +136,7 @@ class EventDrivenStepper : public Stepper {
   LastForces forces_;
   State mirror_;  ///< The State as it was left.
   AdvanceReport report_;
-  EffortDebt debt_;
+  WorkBudget budget_;
 };
 
 }  // namespace rigor

@@ -119,24 +119,24 @@ AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
 AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
   const double begin = state.t;
   last_ = events_.get();
-  events_->set_debt(
+  events_->set_budget(
       {.rate = bounds_.paid_by_events, .most = bounds_.most_owed, .owed = memory_.owed, .t = begin});
   AdvanceReport report = events_->advance(state, t_end);
   if (leaves_nothing(report.reason)) return report;
 
   // What is owed now; where it is too much, or the scheme has given up, steps take over.
-  EffortDebt debt = events_->debt();
-  debt.charge(0, state.t);
-  memory_.owed = debt.owed;
+  WorkBudget budget = events_->budget();
+  budget.charge(0, state.t);
+  memory_.owed = budget.owed;
   memory_.owed_by_steps = left_of(memory_.owed_by_steps, bounds_.paid_to_steps, state.t - begin);
   std::string cause;
   if (is_out_of_its_depth(report.reason)) {
     cause = report.detail;
-  } else if (events_->debt().is_exceeded()) {
+  } else if (events_->budget().is_exceeded()) {
     cause = fmt::format(
         "events crowd: {} contact problems for {} impacts within {:.3g} s; the work that time has not paid "
         "for, {:.3g}, is above {:.3g}",
-        report.problems, report.impacts, state.t - begin, events_->debt().owed, bounds_.most_owed);
+        report.problems, report.impacts, state.t - begin, events_->budget().owed, bounds_.most_owed);
   }
   if (!cause.empty()) {
     report.reason = StopReason::reached_end;

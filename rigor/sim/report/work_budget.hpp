@@ -7,7 +7,7 @@ namespace rigor {
 
 /// Work that a scheme has done beyond what simulated time pays for: a leaking bucket. The work is counted
 /// (AdvanceReport::effort) and not timed, so that it is the same on every machine.
-struct EffortDebt {
+struct WorkBudget {
   double rate = 0;                                        ///< What a second of simulated time pays for [1/s].
   double most = std::numeric_limits<double>::infinity();  ///< Who owes more does not go on.
   double owed = 0;

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// What a run will ask of a scheme whose work grows with what lies on each other.
-struct ForeseenWork {
+struct WorkEstimate {
   /// How often `impulse-based` asks whether to go on, at each collision and in each search; of `penalty`
   /// sub-steps times the bodies that they move. Of the whole run.
   double amount = 0;
@@ -25,7 +25,7 @@ struct ForeseenWork {
 /// Nothing is timed: work is counted, and so are the lengths of pilot and trials, so that the answer is the
 /// same on every machine. It takes some milliseconds of a scene that is small or scattered, up to two seconds
 /// of a crowd.
-ForeseenWork foresee_work(const std::shared_ptr<const Model>& model, const Method& method,
-                          const RunSettings& settings, const State& start);
+WorkEstimate estimate_work(const std::shared_ptr<const Model>& model, const Method& method,
+                           const RunSettings& settings, const State& start);
 
 }  // namespace rigor

@@ -1,10 +1,10 @@
-#include "rigor/sim/foreseen_work.hpp"
+#include "rigor/sim/work_estimate.hpp"
 
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rigor::foreseen_work_test {
+namespace rigor::work_estimate_test {
 namespace {
 
 /// Bricks of 0.2 by 0.1 by 0.1 m on a floor: so many layers, each of two that lie across those below.
@@ -32,32 +32,33 @@ std::shared_ptr<const Model> crossed_bricks(int layers) {
   return builder.build();
 }
 
-ForeseenWork foresee(const std::shared_ptr<const Model>& model, Scheme scheme, double duration) {
+WorkEstimate estimate(const std::shared_ptr<const Model>& model, Scheme scheme, double duration) {
   Method method;
   method.scheme = scheme;
   RunSettings settings;
   settings.duration = duration;
-  return foresee_work(model, method, settings, make_initial_state(*model));
+  return estimate_work(model, method, settings, make_initial_state(*model));
 }
 
-TEST(ForeseenWork, OfOneLayerIsLittleAndOfATowerMuch) {
-  EXPECT_LT(foresee(crossed_bricks(1), Scheme::impulse_based, 2).seconds, 10);
-  EXPECT_GT(foresee(crossed_bricks(4), Scheme::impulse_based, 2).seconds, 60);
+TEST(WorkEstimate, OfOneLayerIsLittleAndOfATowerMuch) {
+  EXPECT_LT(estimate(crossed_bricks(1), Scheme::impulse_based, 2).seconds, 10);
+  EXPECT_GT(estimate(crossed_bricks(4), Scheme::impulse_based, 2).seconds, 60);
 }
 
-TEST(ForeseenWork, GrowsWithTheLengthOfTheRun) {
+TEST(WorkEstimate, GrowsWithTheLengthOfTheRun) {
   const auto model = crossed_bricks(1);
-  const double once = foresee(model, Scheme::penalty, 1).amount;
+  const double once = estimate(model, Scheme::penalty, 1).amount;
   EXPECT_GT(once, 0);
-  EXPECT_NEAR(foresee(model, Scheme::penalty, 10).amount, 10 * once, 5 * once);
+  EXPECT_NEAR(estimate(model, Scheme::penalty, 10).amount, 10 * once, 5 * once);
 }
 
-TEST(ForeseenWork, IsTheSameEachTimeAndNothingForOtherSchemes) {
+TEST(WorkEstimate, IsTheSameEachTimeAndNothingForOtherSchemes) {
   const auto model = crossed_bricks(1);
-  EXPECT_EQ(foresee(model, Scheme::impulse_based, 1).amount, foresee(model, Scheme::impulse_based, 1).amount);
-  EXPECT_EQ(foresee(model, Scheme::time_stepping, 1).amount, 0);
-  EXPECT_EQ(foresee(model, Scheme::automatic, 1).amount, 0);
+  EXPECT_EQ(estimate(model, Scheme::impulse_based, 1).amount,
+            estimate(model, Scheme::impulse_based, 1).amount);
+  EXPECT_EQ(estimate(model, Scheme::time_stepping, 1).amount, 0);
+  EXPECT_EQ(estimate(model, Scheme::automatic, 1).amount, 0);
 }
 
 }  // namespace
-}  // namespace rigor::foreseen_work_test
+}  // namespace rigor::work_estimate_test

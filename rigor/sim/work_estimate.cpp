@@ -1,4 +1,4 @@
-#include "rigor/sim/foreseen_work.hpp"
+#include "rigor/sim/work_estimate.hpp"
 
 #include "rigor/core/interrupt.hpp"
 #include "rigor/sim/make_stepper.hpp"
@@ -20,7 +20,7 @@ double time_of_unit(Scheme scheme) {
   return scheme == Scheme::impulse_based ? of_question : of_substep_and_body;
 }
 
-bool is_foreseen(const Method& method) {
+bool has_estimate(const Method& method) {
   return method.scheme == Scheme::impulse_based ||
          (method.scheme == Scheme::penalty && method.penalty == PenaltyMethod::local);
 }
@@ -129,12 +129,12 @@ double rate_from(const std::shared_ptr<const Model>& model, const Method& method
 
 }  // namespace
 
-ForeseenWork foresee_work(const std::shared_ptr<const Model>& model, const Method& method,
-                          const RunSettings& settings, const State& start) {
-  ForeseenWork work;
+WorkEstimate estimate_work(const std::shared_ptr<const Model>& model, const Method& method,
+                           const RunSettings& settings, const State& start) {
+  WorkEstimate work;
   const double left = settings.duration - start.t;
   const bool has_mechanisms = !model->joints().empty() || !model->drives().empty();
-  if (!is_foreseen(method) || has_mechanisms || left <= 0) return work;
+  if (!has_estimate(method) || has_mechanisms || left <= 0) return work;
 
   // The start stands for the first eighth of the run, each moment for the quarter about it.
   const double at_start = rate_from(model, method, settings.step, start);
