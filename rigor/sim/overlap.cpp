@@ -42,7 +42,7 @@ Deepest deepest_overlap(const Model& model, const State& state, std::pair<int, i
 }
 
 /// Moves all bodies back to where their joints hold.
-void hold_joints(const Model& model, const JointProjection& joints, State& state) {
+void project_joints(const Model& model, const JointProjection& joints, State& state) {
   std::vector<int> bodies;
   std::vector<BodyPhase> phases;
   for (int i = 0; i < model.body_count(); ++i) {
@@ -93,7 +93,7 @@ std::vector<Overlap> apply_separation(const Model& model, double tolerance, Stat
       move(b, share * inverse_mass(b) * deepest.n_W);
     }
     // What joints hold comes along, and may be in the way of others in the next round.
-    if (!model.joints().empty()) hold_joints(model, joints, state);
+    if (!model.joints().empty()) project_joints(model, joints, state);
     if (is_apart) break;
   }
   return find_overlaps(model, state, tolerance);

@@ -52,29 +52,30 @@ const std::vector<Contact>& StepContacts::find(const State& state, const Pair& p
   return place->second;
 }
 
-NearContacts StepContacts::near(const State& state, const Cluster& start, const Foresight& foresight) {
+NearContacts StepContacts::near(const State& state, const Cluster& start,
+                                const SpeculativeContacts& speculative) {
   // While no body comes farther, the same pairs are near.
-  if (reaches_ != foresight.reaches) {
-    pairs_ = finder_.near_pairs(state, foresight.reaches);
-    reaches_ = foresight.reaches;
+  if (reaches_ != speculative.reaches) {
+    pairs_ = finder_.near_pairs(state, speculative.reaches);
+    reaches_ = speculative.reaches;
   }
   NearContacts near{pairs_, {}, {}, {}, {}};
   for (const Pair& pair : pairs_) {
-    const auto met = foresight.met.find(pair);
-    const bool has_met = met != foresight.met.end();
+    const auto met = speculative.met.find(pair);
+    const bool has_met = met != speculative.met.end();
 
     // Pairs that move far are looked at on their way.
-    const bool shows = shows_itself(state, pair, foresight);
-    if (moves_far(pair, foresight.reaches)) {
+    const bool shows = shows_itself(state, pair, speculative);
+    if (moves_far(pair, speculative.reaches)) {
       const bool acts = shows || (has_met && !met->second.empty());
       (acts ? near.watched : near.far).push_back(pair);
     }
 
     // Contacts within reach, those that may act, and those of later in the step.
     std::vector<Contact> found;
-    if (shows) found = find(state, pair, margin(pair, foresight));
+    if (shows) found = find(state, pair, margin(pair, speculative));
     std::copy_if(found.begin(), found.end(), std::back_inserter(near.acting), [&](const Contact& contact) {
-      return (has_met && has(met->second, contact.key())) || may_act(contact, start, foresight);
+      return (has_met && has(met->second, contact.key())) || may_act(contact, start, speculative);
     });
     if (has_met) {
       std::copy_if(met->second.begin(), met->second.end(), std::back_inserter(near.acting),
@@ -87,8 +88,9 @@ NearContacts StepContacts::near(const State& state, const Cluster& start, const 
 
 /// Whether the contacts at the beginning show on which side of each other the bodies are: those of bodies
 /// that move far only if they touch.
-bool StepContacts::shows_itself(const State& state, const Pair& pair, const Foresight& foresight) {
-  return !moves_far(pair, foresight.reaches) || foresight.met_at_once.contains(pair) ||
+bool StepContacts::shows_itself(const State& state, const Pair& pair,
+                                const SpeculativeContacts& speculative) {
+  return !moves_far(pair, speculative.reaches) || speculative.met_at_once.contains(pair) ||
          !touching(find(state, pair, tolerance_)).empty();
 }
 
@@ -99,13 +101,15 @@ bool StepContacts::moves_far(const Pair& pair, const std::vector<double>& reache
 }
 
 /// The largest gap that a pair may close within the step [m].
-double StepContacts::margin(const Pair& pair, const Foresight& foresight) const {
-  return tolerance_ + foresight.reaches[rigor::at(pair.first)] + foresight.reaches[rigor::at(pair.second)];
+double StepContacts::margin(const Pair& pair, const SpeculativeContacts& speculative) const {
+  return tolerance_ + speculative.reaches[rigor::at(pair.first)] +
+         speculative.reaches[rigor::at(pair.second)];
 }
 
 /// Contacts may act if they touch or could close within twice the step, at the velocities of its beginning or
 /// of its end without contacts.
-bool StepContacts::may_act(const Contact& contact, const Cluster& start, const Foresight& foresight) const {
+bool StepContacts::may_act(const Contact& contact, const Cluster& start,
+                           const SpeculativeContacts& speculative) const {
   const auto kinetics = [&](int body) {
     return model_.body(body).motion == MotionType::dynamic
                ? dynamic_kinetics(model_.body(body), start.phase_of(body))
@@ -120,24 +124,25 @@ bool StepContacts::may_act(const Contact& contact, const Cluster& start, const F
   if (cone_ == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
   for (const int body : {contact.body_A, contact.body_B}) {
     if (model_.body(body).motion == MotionType::dynamic)
-      rate -= foresight.h * environment_.steady_acceleration(body).norm();
+      rate -= speculative.h * environment_.steady_acceleration(body).norm();
   }
-  return contact.point.gap <= tolerance_ || contact.point.gap + 2 * foresight.h * rate < 0;
+  return contact.point.gap <= tolerance_ || contact.point.gap + 2 * speculative.h * rate < 0;
 }
 
-bool StepContacts::foresee(const State& state, const Cluster& start, const Pair& pair,
-                           const std::array<Pose, 2>& poses, double left, Foresight& foresight) {
+bool StepContacts::add_speculative(const State& state, const Cluster& start, const Pair& pair,
+                                   const std::array<Pose, 2>& poses, double left,
+                                   SpeculativeContacts& speculative) {
   const auto [a, b] = pair;
-  std::vector<Contact>& later = foresight.met[pair];
+  std::vector<Contact>& later = speculative.met[pair];
   std::vector<Contact> known = later;
-  if (shows_itself(state, pair, foresight)) {
-    for (const Contact& contact : find(state, pair, margin(pair, foresight))) {
-      if (may_act(contact, start, foresight)) known.push_back(contact);
+  if (shows_itself(state, pair, speculative)) {
+    for (const Contact& contact : find(state, pair, margin(pair, speculative))) {
+      if (may_act(contact, start, speculative)) known.push_back(contact);
     }
   }
 
   // What touches at these poses, and what else may do so in the rest of the step.
-  const double near = std::min(tolerance_ + left * margin(pair, foresight),
+  const double near = std::min(tolerance_ + left * margin(pair, speculative),
                                std::max(tolerance_, 0.5 * std::min(thickness(a), thickness(b))));
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   bool is_new = false;

@@ -4,7 +4,7 @@
 #include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
-#include "rigor/sim/time_stepping/foresight.hpp"
+#include "rigor/sim/time_stepping/speculative_contacts.hpp"
 
 #include <array>
 #include <map>
@@ -15,7 +15,7 @@ namespace rigor {
 
 /// Contacts at the beginning of a step, and the pairs that move so far in it that their way is looked at.
 struct NearContacts {
-  using Pair = Foresight::Pair;
+  using Pair = SpeculativeContacts::Pair;
   std::vector<Pair> pairs;     ///< Whose boxes meet, grown by their reaches: no others come near in the step.
   std::vector<Contact> found;  ///< All within reach.
   std::vector<Contact> acting;  ///< Those that may act, with those that tries have foreseen.
@@ -26,7 +26,7 @@ struct NearContacts {
 /// Which contacts a step of time stepping takes into account: docs/theory/time_stepping.md.
 class StepContacts {
  public:
-  using Pair = Foresight::Pair;
+  using Pair = SpeculativeContacts::Pair;
 
   /// Holds references to the model and the environment.
   StepContacts(const Model& model, const Environment& environment, const Method& method);
@@ -36,11 +36,11 @@ class StepContacts {
   /// The boxes of all bodies in that State.
   const std::vector<Aabb>& boxes() const { return boxes_; }
   /// The contacts of a step from `start`, the bodies of the State.
-  NearContacts near(const State& state, const Cluster& start, const Foresight& foresight);
+  NearContacts near(const State& state, const Cluster& start, const SpeculativeContacts& speculative);
   /// Notes that a pair meets, at these poses, when a share `left` of the step is left. Returns whether it has
   /// contacts there that were not foreseen: the next try has rows for them.
-  bool foresee(const State& state, const Cluster& start, const Pair& pair, const std::array<Pose, 2>& poses,
-               double left, Foresight& foresight);
+  bool add_speculative(const State& state, const Cluster& start, const Pair& pair,
+                       const std::array<Pose, 2>& poses, double left, SpeculativeContacts& speculative);
   /// Contacts of these pairs where they are, with gaps up to the contact tolerance.
   std::vector<Contact> at(const State& state, const std::vector<Pair>& pairs) const;
   /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
@@ -53,10 +53,10 @@ class StepContacts {
 
  private:
   bool moves_far(const Pair& pair, const std::vector<double>& reaches) const;
-  bool shows_itself(const State& state, const Pair& pair, const Foresight& foresight);
+  bool shows_itself(const State& state, const Pair& pair, const SpeculativeContacts& speculative);
   const std::vector<Contact>& find(const State& state, const Pair& pair, double margin);
-  double margin(const Pair& pair, const Foresight& foresight) const;
-  bool may_act(const Contact& contact, const Cluster& start, const Foresight& foresight) const;
+  double margin(const Pair& pair, const SpeculativeContacts& speculative) const;
+  bool may_act(const Contact& contact, const Cluster& start, const SpeculativeContacts& speculative) const;
 
   const Model& model_;
   const Environment& environment_;

@@ -110,18 +110,18 @@ double TimeStepper::take_step(double h, State& state) {
   impacts_.clear();
   try_work_ = 0;
   contacts_.begin_step(state);
-  Foresight foresight{h, std::vector<double>(at(model_->body_count()), 0.0)};
+  SpeculativeContacts speculative{h, std::vector<double>(at(model_->body_count()), 0.0)};
   const Cluster start = cluster_in(state);
-  grow_reaches(*model_, environment_, h, start.bodies, start.phases, foresight.reaches);
-  for (const double t : {state.t, state.t + h}) grow_prescribed_reaches(*model_, h, t, foresight.reaches);
+  grow_reaches(*model_, environment_, h, start.bodies, start.phases, speculative.reaches);
+  for (const double t : {state.t, state.t + h}) grow_prescribed_reaches(*model_, h, t, speculative.reaches);
 
   // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
-    trial = try_calmly(before, state, foresight);
+    trial = try_calmly(before, state, speculative);
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
-    foresight.shorten(0.5 * trial->h);
+    speculative.shorten(0.5 * trial->h);
   }
   if (trial->gain > 0 && trial->report.impact_gain == 0) take_gain(*trial);
 
@@ -145,7 +145,8 @@ double TimeStepper::take_step(double h, State& state) {
 }
 
 /// A trial that adds no energy, if any form of a step does not.
-TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& state, Foresight& foresight) {
+TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& state,
+                                           SpeculativeContacts& speculative) {
   constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
     State end = state;
@@ -158,16 +159,16 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
   };
 
   // The form of second order, if it adds no energy; else the one that adds least.
-  Trial trial = with_gain(try_step(0.5, state, foresight));
+  Trial trial = with_gain(try_step(0.5, state, speculative));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
-  Trial safe = with_gain(try_step(1, state, foresight));
+  Trial safe = with_gain(try_step(1, state, speculative));
   // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
   for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
     low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
-    Trial level = with_gain(try_step(low, state, foresight));
+    Trial level = with_gain(try_step(low, state, speculative));
     gain = level.gain;
     if (gain <= 0 && level.h == trial.h) return level;
   }
@@ -175,16 +176,16 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
 }
 
 /// A trial whose contacts were foreseen: tries before it have shown which ones act, and how long they do.
-TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Foresight& foresight) {
+TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, SpeculativeContacts& speculative) {
   constexpr int patient_tries = 20, most_tries = 60;
   for (int k = 0;; ++k) {
     poll_interrupt();
     if (report_.step_work + work_of_step() > work_limit_) throw TooMuchWork();
-    Trial trial = try_once(theta, state, foresight);
+    Trial trial = try_once(theta, state, speculative);
     const double h = trial.h;
-    const Lesson lesson = learn(state, foresight, trial);
-    double until = lesson.until;
-    if ((!lesson.is_new && until == h) || k >= most_tries) {
+    const NextTry next_try = learn(state, speculative, trial);
+    double until = next_try.until;
+    if ((!next_try.is_new && until == h) || k >= most_tries) {
       // Overlaps that cannot be put right came of a step that was too long.
       const double left = correct_overlaps(state, trial);
       if (left <= method_.contact_tolerance || k >= most_tries) return trial;
@@ -192,19 +193,20 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Fores
     }
     // Where one try after the other shows something else, halves come to an end.
     if (k >= patient_tries) until = std::min(until, 0.5 * h);
-    if (until < h) foresight.shorten(until);
+    if (until < h) speculative.shorten(until);
   }
 }
 
 /// Moves all bodies by one step, with the contacts that are foreseen.
-TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const Foresight& foresight) {
+TimeStepper::Trial TimeStepper::try_once(double theta, const State& state,
+                                         const SpeculativeContacts& speculative) {
   constexpr std::uint64_t try_operations = 10;
   const Cluster start = cluster_in(state);
-  Trial trial{.h = foresight.h,
+  Trial trial{.h = speculative.h,
               .struck = start,
               .end = start,
-              .reaches = foresight.reaches,
-              .near = contacts_.near(state, start, foresight)};
+              .reaches = speculative.reaches,
+              .near = contacts_.near(state, start, speculative)};
   for (const Contact& contact : trial.near.found)
     trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
   try_work_ += try_operations * (start.bodies.size() + trial.near.pairs.size());
@@ -224,7 +226,7 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
     impulses_.strike(trial.h, moving, impacts_, result.report);
     result.struck = moving.phases;
     result.forces = impulses_.move(trial.h, theta, moving, result.report);
-    hold_joints(moving, result.report);
+    project_joints(moving, result.report);
     result.end = std::move(moving.phases);
     return result;
   };
@@ -256,28 +258,28 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
 
 /// What a try shows of the step: bodies that come farther than was thought, pairs that meet on the way, and
 /// pairs that overlap at the end.
-TimeStepper::Lesson TimeStepper::learn(const State& state, Foresight& foresight, Trial& trial) {
-  Lesson lesson = learn_from_way(state, trial, foresight);
-  trial.is_as_far = trial.reaches == foresight.reaches;
-  foresight.reaches = trial.reaches;
-  lesson.is_new |= !trial.is_as_far;
+TimeStepper::NextTry TimeStepper::learn(const State& state, SpeculativeContacts& speculative, Trial& trial) {
+  NextTry next_try = learn_from_path(state, trial, speculative);
+  trial.is_as_far = trial.reaches == speculative.reaches;
+  speculative.reaches = trial.reaches;
+  next_try.is_new |= !trial.is_as_far;
 
   // A step that ends earlier has another end, and one that was not foreseen is not judged by it.
-  if (lesson.until < trial.h) return lesson;
-  const Lesson of_end = learn_from_end(state, foresight, trial);
-  lesson.is_new |= of_end.is_new;
-  if (!lesson.is_new) lesson.until = of_end.until;
-  return lesson;
+  if (next_try.until < trial.h) return next_try;
+  const NextTry of_end = learn_from_end(state, speculative, trial);
+  next_try.is_new |= of_end.is_new;
+  if (!next_try.is_new) next_try.until = of_end.until;
+  return next_try;
 }
 
 /// Pairs that meet on the way have rows in the next try, if their contacts there are foreseen then; else the
 /// step ends where the first of them meets, or goes too deep.
-TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial& trial,
-                                                Foresight& foresight) {
+TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Trial& trial,
+                                                  SpeculativeContacts& speculative) {
   constexpr double share_of_thickness = 0.1;
   const double h = trial.h;
-  Lesson lesson{.until = h};
-  if (trial.near.far.empty() && trial.near.watched.empty()) return lesson;
+  NextTry next_try{.until = h};
+  if (trial.near.far.empty() && trial.near.watched.empty()) return next_try;
   ToiOptions options;
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
@@ -287,14 +289,15 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
 
   const auto learn_from = [&](const Pair& pair, double meeting) {
     if (meeting == h) return;
-    if (contacts_.foresee(state, start, pair, path.poses(pair, meeting), 1 - meeting / h, foresight)) {
-      lesson.is_new = true;
+    if (contacts_.add_speculative(state, start, pair, path.poses(pair, meeting), 1 - meeting / h,
+                                  speculative)) {
+      next_try.is_new = true;
     } else if (meeting > least_step_share * h) {
-      lesson.until = std::min(lesson.until, meeting);
-    } else if (foresight.met_at_once.insert(pair).second) {
-      lesson.is_new = true;
+      next_try.until = std::min(next_try.until, meeting);
+    } else if (speculative.met_at_once.insert(pair).second) {
+      next_try.is_new = true;
     } else {
-      lesson.until = std::min(lesson.until, 0.5 * h);
+      next_try.until = std::min(next_try.until, 0.5 * h);
     }
   };
   for (const Pair& pair : trial.near.far) learn_from(pair, path.first_meeting(pair));
@@ -303,13 +306,14 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
     learn_from(pair,
                path.without_overlap(pair, std::max(method_.contact_tolerance, share_of_thickness * thin)));
   }
-  return lesson;
+  return next_try;
 }
 
 /// Pairs that overlap at the end were pushed where they would not have gone by themselves, or came round with
 /// other features. Where their rows were the right ones and the overlap is deep, the step was too long.
-TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, Foresight& foresight, Trial& trial) {
-  Lesson lesson{.until = trial.h};
+TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, SpeculativeContacts& speculative,
+                                                 Trial& trial) {
+  NextTry next_try{.until = trial.h};
   const Cluster start = cluster_in(state);
   State end = state;
   write(trial.end, end);
@@ -325,13 +329,13 @@ TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, Foresight& f
   for (const auto& [pair, misjudgement] : misjudged) {
     if (misjudgement == 0) continue;
     const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
-    if (contacts_.foresee(state, start, pair, poses, 0, foresight)) {
-      lesson.is_new = true;
+    if (contacts_.add_speculative(state, start, pair, poses, 0, speculative)) {
+      next_try.is_new = true;
     } else if (misjudgement > 1) {
-      lesson.until = 0.5 * trial.h;
+      next_try.until = 0.5 * trial.h;
     }
   }
-  return lesson;
+  return next_try;
 }
 
 /// Bodies that overlap at the start of a scene, by no more than counts as touching, are put apart before the
@@ -364,7 +368,7 @@ void TimeStepper::admit_velocities(State& state) {
 }
 
 /// Projects positions and velocities on the joints, in the metric of the masses.
-void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
+void TimeStepper::project_joints(Cluster& part, AdvanceReport& report) const {
   if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
   joints_.project_positions(part.t, part.bodies, part.phases, report);
@@ -408,7 +412,7 @@ double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
       const ContactSystem system = assembler_.assemble(part, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
-      hold_joints(part, trial.report);
+      project_joints(part, trial.report);
       for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
     }
   }

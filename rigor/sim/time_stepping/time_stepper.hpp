@@ -40,7 +40,7 @@ class TimeStepper : public FixedStepStepper {
   bool is_beyond_work_limit() const { return report_.step_work > work_limit_; }
 
  private:
-  using Pair = Foresight::Pair;
+  using Pair = SpeculativeContacts::Pair;
   /// A step that was tried: the bodies at its end, and how far it can be trusted.
   struct Trial {
     double h;             ///< [s].
@@ -57,7 +57,7 @@ class TimeStepper : public FixedStepStepper {
     std::vector<const MovedPart*> moved = {};         ///< Of each part; valid as long as the step is tried.
   };
   /// What a try says of the next one.
-  struct Lesson {
+  struct NextTry {
     bool is_new = false;  ///< Whether more is foreseen than before.
     double until;         ///< How long the step can be at most [s].
   };
@@ -68,15 +68,15 @@ class TimeStepper : public FixedStepStepper {
   double take_step(double h, State& state);
   double work_of_step() const { return static_cast<double>(moved_.work() + try_work_); }
   void take_gain(Trial& trial) const;
-  Trial try_calmly(const Energy& before, const State& state, Foresight& foresight);
-  Trial try_step(double theta, const State& state, Foresight& foresight);
-  Trial try_once(double theta, const State& state, const Foresight& foresight);
+  Trial try_calmly(const Energy& before, const State& state, SpeculativeContacts& speculative);
+  Trial try_step(double theta, const State& state, SpeculativeContacts& speculative);
+  Trial try_once(double theta, const State& state, const SpeculativeContacts& speculative);
   void move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts, Trial& trial);
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
-  Lesson learn(const State& state, Foresight& foresight, Trial& trial);
-  Lesson learn_from_way(const State& state, const Trial& trial, Foresight& foresight);
-  Lesson learn_from_end(const State& state, Foresight& foresight, Trial& trial);
-  void hold_joints(Cluster& part, AdvanceReport& report) const;
+  NextTry learn(const State& state, SpeculativeContacts& speculative, Trial& trial);
+  NextTry learn_from_path(const State& state, const Trial& trial, SpeculativeContacts& speculative);
+  NextTry learn_from_end(const State& state, SpeculativeContacts& speculative, Trial& trial);
+  void project_joints(Cluster& part, AdvanceReport& report) const;
   void admit_overlaps(State& state);
   void admit_velocities(State& state);
   double correct_overlaps(const State& state, Trial& trial);

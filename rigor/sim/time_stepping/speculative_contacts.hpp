@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// What the tries of one step have shown of it so far: the next try begins with it.
-struct Foresight {
+struct SpeculativeContacts {
   using Pair = std::pair<int, int>;
 
   double h = 0;                 ///< Of the step that is tried next [s].
