@@ -432,8 +432,9 @@ std::string completion_of(const CLI::App& app, const std::string& shell) {
 }
 
 /// Adds a command that only tells something about the program: a text of its own definitions and one word.
-void add_telling(CLI::App& app, const std::string& name, const std::string& what, const std::string& word,
-                 std::string (*text)(const CLI::App&, const std::string&), std::string& told) {
+void add_text_command(CLI::App& app, const std::string& name, const std::string& what,
+                      const std::string& word, std::string (*text)(const CLI::App&, const std::string&),
+                      std::string& text) {
   CLI::App& command = *app.add_subcommand(name, what);
   const std::shared_ptr<std::string> given = std::make_shared<std::string>();
   command
@@ -442,17 +443,17 @@ void add_telling(CLI::App& app, const std::string& name, const std::string& what
       ->required(word == "SHELL")
       ->option_text(" ");
   command.allow_extras();
-  command.final_callback([&app, &told, given, text] {
+  command.final_callback([&app, &text, given, text] {
     check_unknown(app);
-    told = text(app, *given);
+    text = text(app, *given);
   });
 }
 
-void add_tellings(CLI::App& app, std::string& told) {
-  add_telling(app, "help", "all about one command", "COMMAND", help_of, told);
-  add_telling(app, "completion", "the script by which a shell completes commands and options", "SHELL",
-              completion_of, told);
-  add_telling(app, "manual", "the man page of the program or of a command", "COMMAND", manual_of, told);
+void add_text_commands(CLI::App& app, std::string& text) {
+  add_text_command(app, "help", "all about one command", "COMMAND", help_of, text);
+  add_text_command(app, "completion", "the script by which a shell completes commands and options", "SHELL",
+                   completion_of, text);
+  add_text_command(app, "manual", "the man page of the program or of a command", "COMMAND", manual_of, text);
 }
 
 }  // namespace
@@ -464,14 +465,14 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   app.allow_extras();
   std::optional<Command> chosen;
-  std::string told;
+  std::string text;
   add_commands(app, chosen);
-  add_tellings(app, told);
+  add_text_commands(app, text);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> asked = app.get_subcommands();
-    told = help_of(app, asked.empty() ? "" : asked.front()->get_name());
+    text = help_of(app, asked.empty() ? "" : asked.front()->get_name());
   } catch (const CLI::Success& version_wanted) {
     app.exit(version_wanted);
     return {};
@@ -479,8 +480,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     check_unknown(app);
     throw UsageError(error.what());
   }
-  if (!told.empty()) {
-    fmt::print("{}", told);
+  if (!text.empty()) {
+    fmt::print("{}", text);
     return {};
   }
   if (chosen) return {chosen};

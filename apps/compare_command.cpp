@@ -24,10 +24,10 @@ void check_files(const CompareOptions& options) {
   if (!options.json.empty() && options.json != "-") check_can_write(options.json);
 }
 
-CompareWishes all_wishes(const CompareOptions& options) {
-  CompareWishes all;
+CompareOutputs all_outputs(const CompareOptions& options) {
+  CompareOutputs all;
   for (const std::string& output : options.outputs) {
-    const CompareWishes own = wishes_of(output);
+    const CompareOutputs own = outputs_of(output);
     all.energies = all.energies || own.energies;
     all.page = all.page || own.page;
   }
@@ -132,7 +132,8 @@ ExitCode execute(const CompareOptions& options) {
   check_files(options);
   for (const std::string& warning : plan.warnings) print_warning(warning);
   // It stays alive while the files are written, so that an interrupt does not leave them half written.
-  CompareRunner runner(all_wishes(options), plan, {options.error_bound, options.cpu_limit}, options.is_quiet);
+  CompareRunner runner(all_outputs(options), plan, {options.error_bound, options.cpu_limit},
+                       options.is_quiet);
   const Comparison comparison = run_all(std::move(plan), runner);
   if (comparison.runs.empty()) return report_ends(comparison);
   print_comparison(options, comparison);

@@ -259,7 +259,7 @@ std::string check_compare_output(const std::string& path) {
                      quoted_text(path));
 }
 
-CompareWishes wishes_of(const std::string& path) {
+CompareOutputs outputs_of(const std::string& path) {
   const std::string suffix = suffix_of(path);
   return {.energies = suffix == ".svg" || suffix == ".png", .page = suffix == ".html"};
 }

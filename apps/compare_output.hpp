@@ -16,7 +16,7 @@ std::string compare_csv(const Comparison& comparison);
 /// Empty if a comparison can be written to a file of this name, otherwise the reason why not.
 std::string check_compare_output(const std::string& path);
 /// The data that the runs have to keep for a file of this name.
-CompareWishes wishes_of(const std::string& path);
+CompareOutputs outputs_of(const std::string& path);
 /// Writes the file in the format of its suffix: .json, .csv, .html (the page), .svg or .png (the plot of the
 /// total energies). Throws FileError.
 void write_comparison(const Comparison& comparison, const std::string& path);

@@ -109,19 +109,19 @@ std::size_t base_run(const Comparison& comparison) {
   return at(base - comparison.runs.begin());
 }
 
-CompareRunner::CompareRunner(const CompareWishes& wishes, const ComparePlan& plan,
+CompareRunner::CompareRunner(const CompareOutputs& outputs, const ComparePlan& plan,
                              const CompareLimits& limits, bool is_quiet)
-    : wishes_(wishes),
+    : outputs_(outputs),
       run_count_(plan.runs.size()),
       most_reference_bytes_(MotionComparison::usual_most_bytes /
                             std::max<std::size_t>(1, plan.references.size())),
       limits_(limits),
       progress_line_(!is_quiet) {}
 
-CompareRunner::Course CompareRunner::simulate(const Scene& scene, const RunStart& start,
-                                              const std::string& label, const Watch& watch) {
+CompareRunner::RunOutcome CompareRunner::simulate(const Scene& scene, const RunStart& start,
+                                                  const std::string& label, const Watch& watch) {
   progress_ = {.time = 0, .start = 0, .end = scene.run.duration, .label = label};
-  Course course;
+  RunOutcome outcome;
   EnergyScale scale;
   RunClock clock;
   const Observer observer = [&](const State& state, const AdvanceReport& since, const Auditor& auditor) {
@@ -138,14 +138,14 @@ CompareRunner::Course CompareRunner::simulate(const Scene& scene, const RunStart
     is_out_of_time = is_out_of_time || (limits_.cpu_time && clock.is_over(*limits_.cpu_time));
     return is_out_of_time || interrupt_.is_requested();
   };
-  course.result = run_simulation(scene.model, scene.method, scene.run, start.state, observer, interrupt);
+  outcome.result = run_simulation(scene.model, scene.method, scene.run, start.state, observer, interrupt);
   progress_line_.clear();
-  course.cpu_time = clock.cpu_time();
-  course.wall_time = clock.wall_time();
-  course.end = end_of(course.result, scene.run);
-  if (course.end == RunEnd::interrupted && is_out_of_time) course.end = RunEnd::out_of_time;
-  course.energy_scale = std::max(scale.value(), std::abs(course.result.audit.report.work));
-  return course;
+  outcome.cpu_time = clock.cpu_time();
+  outcome.wall_time = clock.wall_time();
+  outcome.end = end_of(outcome.result, scene.run);
+  if (outcome.end == RunEnd::interrupted && is_out_of_time) outcome.end = RunEnd::out_of_time;
+  outcome.energy_scale = std::max(scale.value(), std::abs(outcome.result.audit.report.work));
+  return outcome;
 }
 
 ComparedReference CompareRunner::execute(const PlannedReference& planned) {
@@ -161,13 +161,13 @@ ComparedReference CompareRunner::execute(const PlannedReference& planned) {
   const Scene& scene = *planned.scene;
   told.bound = reference.bound = limits_.error_bound.value_or(default_error_bound(*scene.model));
   reference.motion = std::make_unique<MotionKeeper>(scene, most_reference_bytes_);
-  const Course course =
+  const RunOutcome outcome =
       simulate(scene, planned.start,
                "reference: ", [&](const State& state, const AdvanceReport&, const Energy& energy) {
                  reference.motion->write(make_sample(*scene.model, state, energy), {});
                });
-  told.cpu_time = course.cpu_time;
-  told.end = course.end;
+  told.cpu_time = outcome.cpu_time;
+  told.end = outcome.end;
   if (!was_interrupted()) {
     ErrorOverTime own(planned.rougher->model, reference.motion->recording(), reference.bound,
                       reference.horizon);
@@ -206,30 +206,30 @@ ComparedRun CompareRunner::execute(const PlannedRun& planned) {
   motion_.begin(scene);
   const std::unique_ptr<ErrorMeasure> measure = measure_for(planned);
   std::optional<PageRun> page;
-  if (wishes_.page && number_ <= most_drawn_runs) page.emplace(scene, planned.start.state, run.label);
+  if (outputs_.page && number_ <= most_drawn_runs) page.emplace(scene, planned.start.state, run.label);
   const Watch watch = [&](const State& state, const AdvanceReport& since, const Energy& energy) {
     motion_.observe(state, energy);
     if (measure) measure->observe(state, energy);
     if (page) page->add(state, since, energy);
-    if (wishes_.energies) run.times.push_back(state.t), run.energies.push_back(energy.total());
+    if (outputs_.energies) run.times.push_back(state.t), run.energies.push_back(energy.total());
   };
-  Course course;
+  RunOutcome outcome;
   try {
-    course = simulate(scene, planned.start,
-                      fmt::format("run {} of {} ({}): ", number_, run_count_, run.label), watch);
+    outcome = simulate(scene, planned.start,
+                       fmt::format("run {} of {} ({}): ", number_, run_count_, run.label), watch);
   } catch (const InputError& error) {
     run.end = RunEnd::refused;
     run.refusal = error.messages().front();
     return run;
   }
-  run.cpu_time = course.cpu_time;
-  run.end = course.end;
-  run.end_time = course.result.state.t;
-  run.audit = std::move(course.result.audit);
-  run.audit.wall_time = course.wall_time;
+  run.cpu_time = outcome.cpu_time;
+  run.end = outcome.end;
+  run.end_time = outcome.result.state.t;
+  run.audit = std::move(outcome.result.audit);
+  run.audit.wall_time = outcome.wall_time;
   run.audit.warnings.insert(run.audit.warnings.begin(), planned.start.warnings.begin(),
                             planned.start.warnings.end());
-  run.relative_rise = relative_rise(run.audit, course.energy_scale);
+  run.relative_rise = relative_rise(run.audit, outcome.energy_scale);
   run.difference = motion_.finish();
   if (measure) run.error = measure->error();
   if (page) {

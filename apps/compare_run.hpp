@@ -60,7 +60,7 @@ struct Comparison {
 std::size_t base_run(const Comparison& comparison);
 
 /// The data of each run that is kept in addition to its numbers.
-struct CompareWishes {
+struct CompareOutputs {
   bool energies = false, page = false;
 };
 
@@ -73,7 +73,7 @@ struct CompareLimits {
 /// Carries out the runs of a comparison, one after the other.
 class CompareRunner {
  public:
-  CompareRunner(const CompareWishes& wishes, const ComparePlan& plan, const CompareLimits& limits,
+  CompareRunner(const CompareOutputs& outputs, const ComparePlan& plan, const CompareLimits& limits,
                 bool is_quiet);
 
   /// Prepares the i-th reference with an estimate of its own error.
@@ -93,7 +93,7 @@ class CompareRunner {
     double bound = 0, horizon = 0;         ///< [m]; time until which the reference itself is good [s].
   };
   /// The outcome of a run.
-  struct Course {
+  struct RunOutcome {
     RunResult result;
     double cpu_time = 0, wall_time = 0;  ///< [s].
     double energy_scale = 0;             ///< Largest kinetic energy and change of energy [J].
@@ -101,11 +101,12 @@ class CompareRunner {
   };
   using Watch = std::function<void(const State& state, const AdvanceReport& since, const Energy& energy)>;
 
-  Course simulate(const Scene& scene, const RunStart& start, const std::string& label, const Watch& watch);
+  RunOutcome simulate(const Scene& scene, const RunStart& start, const std::string& label,
+                      const Watch& watch);
   std::unique_ptr<ErrorMeasure> measure_for(const PlannedRun& planned) const;
   void show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor);
 
-  CompareWishes wishes_;
+  CompareOutputs outputs_;
   std::size_t run_count_, number_ = 0;  ///< Number of the run, counted from 1.
   std::size_t most_reference_bytes_;
   CompareLimits limits_;

@@ -15,10 +15,10 @@ namespace rigor {
 namespace {
 
 /// A run under way: the State and its books at the last output.
-class Course {
+class ActiveRun {
  public:
-  Course(std::shared_ptr<const Model> model, std::unique_ptr<Stepper> stepper, State start, Auditor auditor,
-         const Observer& observer)
+  ActiveRun(std::shared_ptr<const Model> model, std::unique_ptr<Stepper> stepper, State start,
+            Auditor auditor, const Observer& observer)
       : model_(std::move(model)),
         environment_(*model_),
         stepper_(std::move(stepper)),
@@ -109,7 +109,7 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   stepper->set_interrupt(interrupt);
   Auditor auditor = earlier ? Auditor(model, choice, state, *earlier) : Auditor(model, choice, state);
   RunResult result =
-      Course(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
+      ActiveRun(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
   for (Audit* audit : {&result.audit, &result.resumable_audit}) {
     audit->duration = settings.duration;
     audit->step = settings.step;

@@ -23,11 +23,11 @@ class Morris : public FactorStrategy {
   explicit Morris(const StudyPlan& plan) : FactorStrategy(plan, 1) {}
 
   std::vector<double> point(std::uint64_t run) const override {
-    const std::uint64_t way = run / stride(), moved = run % stride();
+    const std::uint64_t trajectory = run / stride(), moved = run % stride();
     std::vector<double> point(at(plan().coordinate_count()), 0.0);
-    for (std::size_t k = 0; k < point.size(); ++k) point[k] = start(way, k);
+    for (std::size_t k = 0; k < point.size(); ++k) point[k] = start(trajectory, k);
     // The order of the parameters is drawn by sorting random numbers.
-    const std::vector<std::size_t> order = order_of(way);
+    const std::vector<std::size_t> order = order_of(trajectory);
     for (std::uint64_t step = 0; step < moved; ++step) {
       const Factor& factor = factors()[order[step]];
       for (std::size_t k = factor.first; k < factor.first + factor.count; ++k)
@@ -41,17 +41,17 @@ class Morris : public FactorStrategy {
  private:
   double delta() const { return plan().levels / (2.0 * (plan().levels - 1)); }
 
-  double start(std::uint64_t way, std::size_t coordinate) const {
+  double start(std::uint64_t trajectory, std::size_t coordinate) const {
     const double u = random_uniform(plan().seed, RandomStream::trajectories,
-                                    {way, static_cast<std::uint32_t>(coordinate)});
+                                    {trajectory, static_cast<std::uint32_t>(coordinate)});
     return std::floor(u * plan().levels) / (plan().levels - 1);
   }
 
-  std::vector<std::size_t> order_of(std::uint64_t way) const {
+  std::vector<std::size_t> order_of(std::uint64_t trajectory) const {
     std::vector<std::pair<std::uint64_t, std::size_t>> keys;
     for (std::size_t k = 0; k < factors().size(); ++k)
       keys.emplace_back(random_bits(plan().seed, RandomStream::trajectories,
-                                    {way, 0x80000000u + static_cast<std::uint32_t>(k)}),
+                                    {trajectory, 0x80000000u + static_cast<std::uint32_t>(k)}),
                         k);
     std::sort(keys.begin(), keys.end());
     std::vector<std::size_t> order;
@@ -61,10 +61,10 @@ class Morris : public FactorStrategy {
 
   void add_outcome(const RowTable& known, std::size_t outcome, StudyAnswer& answer) const override {
     std::vector<std::vector<double>> effects(factors().size());
-    for (const std::uint64_t way : complete_groups(known, outcome)) {
-      const std::vector<std::size_t> order = order_of(way);
+    for (const std::uint64_t trajectory : complete_groups(known, outcome)) {
+      const std::vector<std::size_t> order = order_of(trajectory);
       for (std::size_t step = 0; step < order.size(); ++step) {
-        const std::uint64_t run = way * stride() + step;
+        const std::uint64_t run = trajectory * stride() + step;
         const std::size_t first = factors()[order[step]].first;
         const double moved = point(run + 1)[first] - point(run)[first];
         effects[order[step]].push_back((known.value(run + 1, outcome) - known.value(run, outcome)) / moved);

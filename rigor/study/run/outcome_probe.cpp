@@ -68,19 +68,19 @@ OutcomeProbe::Bound OutcomeProbe::bound(const std::string& text, const Outcome& 
 }
 
 void OutcomeProbe::bind(const Model& model) {
-  taken_.clear();
-  taken_.resize(plan_.outcomes.size());
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
+  trackers_.clear();
+  trackers_.resize(plan_.outcomes.size());
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
     const Outcome& outcome = plan_.outcomes[i];
-    Taken& taken = taken_[i];
-    if (!outcome.formula.empty()) taken.formula.push_back(bound(outcome.formula, outcome));
-    if (!outcome.when.empty()) taken.when.push_back(bound(outcome.when, outcome));
+    OutcomeTracker& tracker = trackers_[i];
+    if (!outcome.formula.empty()) tracker.formula.push_back(bound(outcome.formula, outcome));
+    if (!outcome.when.empty()) tracker.when.push_back(bound(outcome.when, outcome));
     const std::vector<std::string>& bodies = outcome.event.bodies;
-    if (!bodies.empty()) taken.body_A = body_of(bodies[0], outcome);
-    if (bodies.size() > 1) taken.body_B = body_of(bodies[1], outcome);
+    if (!bodies.empty()) tracker.body_A = body_of(bodies[0], outcome);
+    if (bodies.size() > 1) tracker.body_B = body_of(bodies[1], outcome);
     if (outcome.kind != Outcome::Kind::face) continue;
-    taken.body_A = body_of(outcome.body, outcome);
-    if (!has_faces(model.body(taken.body_A)))
+    tracker.body_A = body_of(outcome.body, outcome);
+    if (!has_faces(model.body(tracker.body_A)))
       throw InputError(whose(outcome) + "faces are those of a body of one box or one cylinder");
   }
   bound_bodies_ = model.body_count();
@@ -92,21 +92,21 @@ void OutcomeProbe::begin(std::shared_ptr<const Model> model, std::vector<double>
   values_.assign(plan_.outcomes.size(), nan_value);
   if (!model_) {
     if (bound_bodies_ >= 0) return;
-    taken_.resize(plan_.outcomes.size());
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
+    trackers_.resize(plan_.outcomes.size());
+    for (std::size_t i = 0; i < trackers_.size(); ++i) {
       if (!plan_.outcomes[i].formula.empty())
-        taken_[i].formula.push_back(bound(plan_.outcomes[i].formula, plan_.outcomes[i]));
+        trackers_[i].formula.push_back(bound(plan_.outcomes[i].formula, plan_.outcomes[i]));
     }
     bound_bodies_ = 0;
     return;
   }
   // Bodies keep their places in all runs, unless their number varies.
   if (bound_bodies_ != model_->body_count()) bind(*model_);
-  for (Taken& taken : taken_)
-    taken.value = taken.event_time = nan_value, taken.count = 0, taken.is_done = false;
+  for (OutcomeTracker& tracker : trackers_)
+    tracker.value = tracker.event_time = nan_value, tracker.count = 0, tracker.is_done = false;
 }
 
-double OutcomeProbe::evaluated(const Bound& bound, const Look& look) {
+double OutcomeProbe::evaluated(const Bound& bound, const OutputSample& sample) {
   arguments_.clear();
   for (const Source& source : bound.sources) {
     switch (source.from) {
@@ -117,106 +117,110 @@ double OutcomeProbe::evaluated(const Bound& bound, const Look& look) {
         arguments_.push_back(values_[source.index]);
         break;
       case Source::From::time:
-        arguments_.push_back(look.state ? look.state->t : 0);
+        arguments_.push_back(sample.state ? sample.state->t : 0);
         break;
       case Source::From::quantity:
-        arguments_.push_back(quantity_value(source.quantity, *model_, *look.state, *look.energy, look.audit));
+        arguments_.push_back(
+            quantity_value(source.quantity, *model_, *sample.state, *sample.energy, sample.audit));
         break;
     }
   }
   return bound.formula.value(arguments_);
 }
 
-void OutcomeProbe::observe_value(const Outcome& outcome, const Look& look, Taken& taken) {
-  const double t = look.state->t;
+void OutcomeProbe::observe_value(const Outcome& outcome, const OutputSample& sample,
+                                 OutcomeTracker& tracker) {
+  const double t = sample.state->t;
   switch (outcome.kind) {
     case Outcome::Kind::value: {
-      if (taken.is_done || outcome.is_at_end() || outcome.is_at_event()) return;
+      if (tracker.is_done || outcome.is_at_end() || outcome.is_at_event()) return;
       const bool is_now =
-          outcome.at ? t >= *outcome.at * (1 - time_share) : evaluated(taken.when[0], look) > 0;
+          outcome.at ? t >= *outcome.at * (1 - time_share) : evaluated(tracker.when[0], sample) > 0;
       if (!is_now) return;
-      taken.is_done = true;
-      taken.value = evaluated(taken.formula[0], look);
+      tracker.is_done = true;
+      tracker.value = evaluated(tracker.formula[0], sample);
       return;
     }
     case Outcome::Kind::smallest:
-      taken.value = std::fmin(taken.value, evaluated(taken.formula[0], look));
+      tracker.value = std::fmin(tracker.value, evaluated(tracker.formula[0], sample));
       return;
     case Outcome::Kind::largest:
-      taken.value = std::fmax(taken.value, evaluated(taken.formula[0], look));
+      tracker.value = std::fmax(tracker.value, evaluated(tracker.formula[0], sample));
       return;
     case Outcome::Kind::first:
-      if (taken.is_done || !(evaluated(taken.formula[0], look) > 0)) return;
-      taken.is_done = true;
-      taken.value = t;
+      if (tracker.is_done || !(evaluated(tracker.formula[0], sample) > 0)) return;
+      tracker.is_done = true;
+      tracker.value = t;
       return;
     default:
       return;
   }
 }
 
-void OutcomeProbe::observe_events(const Outcome& outcome, const AdvanceReport& since, Taken& taken) const {
+void OutcomeProbe::observe_events(const Outcome& outcome, const AdvanceReport& since,
+                                  OutcomeTracker& tracker) const {
   const bool counts = outcome.kind == Outcome::Kind::count || outcome.kind == Outcome::Kind::time_of ||
                       outcome.kind == Outcome::Kind::impulse || outcome.is_at_event();
   if (!counts) return;
   for (const MotionEvent& event : since.events) {
-    if (!is_about(event, outcome.event.kind, taken.body_A, taken.body_B)) continue;
-    ++taken.count;
-    if (outcome.kind == Outcome::Kind::time_of && taken.count == outcome.number) taken.value = event.time;
-    if (outcome.is_at_event() && taken.count == outcome.number) taken.event_time = event.time;
-    if (outcome.kind == Outcome::Kind::impulse) taken.value = std::fmax(taken.value, event.j_W.norm());
+    if (!is_about(event, outcome.event.kind, tracker.body_A, tracker.body_B)) continue;
+    ++tracker.count;
+    if (outcome.kind == Outcome::Kind::time_of && tracker.count == outcome.number) tracker.value = event.time;
+    if (outcome.is_at_event() && tracker.count == outcome.number) tracker.event_time = event.time;
+    if (outcome.kind == Outcome::Kind::impulse) tracker.value = std::fmax(tracker.value, event.j_W.norm());
   }
 }
 
 void OutcomeProbe::observe(const State& state, const AdvanceReport& since, const Energy& energy) {
-  const Look look{&state, &energy, nullptr};
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
-    observe_value(plan_.outcomes[i], look, taken_[i]);
-    observe_events(plan_.outcomes[i], since, taken_[i]);
+  const OutputSample sample{&state, &energy, nullptr};
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    observe_value(plan_.outcomes[i], sample, trackers_[i]);
+    observe_events(plan_.outcomes[i], since, trackers_[i]);
   }
 }
 
 std::vector<double> OutcomeProbe::event_times() const {
   std::vector<double> times;
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
-    if (plan_.outcomes[i].is_at_event() && !std::isnan(taken_[i].event_time))
-      times.push_back(taken_[i].event_time);
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    if (plan_.outcomes[i].is_at_event() && !std::isnan(trackers_[i].event_time))
+      times.push_back(trackers_[i].event_time);
   }
   return sorted_unique(std::move(times));
 }
 
 void OutcomeProbe::observe_event(double time, const State& state, const Energy& energy) {
-  const Look look{&state, &energy, nullptr};
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
-    if (plan_.outcomes[i].is_at_event() && taken_[i].event_time == time)
-      taken_[i].value = evaluated(taken_[i].formula[0], look);
+  const OutputSample sample{&state, &energy, nullptr};
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    if (plan_.outcomes[i].is_at_event() && trackers_[i].event_time == time)
+      trackers_[i].value = evaluated(trackers_[i].formula[0], sample);
   }
 }
 
-double OutcomeProbe::finished(const Outcome& outcome, const Look& end, double cpu_time, Taken& taken) {
+double OutcomeProbe::finished(const Outcome& outcome, const OutputSample& end, double cpu_time,
+                              OutcomeTracker& tracker) {
   switch (outcome.kind) {
     case Outcome::Kind::value:
-      return outcome.is_at_end() ? evaluated(taken.formula[0], end) : taken.value;
+      return outcome.is_at_end() ? evaluated(tracker.formula[0], end) : tracker.value;
     case Outcome::Kind::count:
-      return static_cast<double>(taken.count);
+      return static_cast<double>(tracker.count);
     case Outcome::Kind::impulse:
-      return taken.count > 0 ? taken.value : 0;
+      return tracker.count > 0 ? tracker.value : 0;
     case Outcome::Kind::face:
-      return face_up(*model_, *end.state, taken.body_A);
+      return face_up(*model_, *end.state, tracker.body_A);
     case Outcome::Kind::cpu_time:
       return cpu_time;
     case Outcome::Kind::formula:
-      return evaluated(taken.formula[0], end);
+      return evaluated(tracker.formula[0], end);
     default:
-      return taken.value;
+      return tracker.value;
   }
 }
 
 std::vector<double> OutcomeProbe::finish(const State* state, const Audit* audit, double cpu_time) {
-  const Look end{state, audit ? &audit->final : nullptr, audit};
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
+  const OutputSample end{state, audit ? &audit->final : nullptr, audit};
+  for (std::size_t i = 0; i < trackers_.size(); ++i) {
     const Outcome& outcome = plan_.outcomes[i];
-    values_[i] = finished(outcome, end, cpu_time, taken_[i]);
+    values_[i] = finished(outcome, end, cpu_time, trackers_[i]);
     if (std::isnan(values_[i]) && outcome.otherwise) values_[i] = *outcome.otherwise;
   }
   return values_;

@@ -24,8 +24,8 @@ class OutcomeProbe {
   void begin(std::shared_ptr<const Model> model, std::vector<double> parameters);
   /// Looks at an output and at what happened since the last one.
   void observe(const State& state, const AdvanceReport& since, const Energy& energy);
-  /// Times of the events after which values are wanted that are not taken yet, each once, in order [s]. Known
-  /// when the run has come to its end.
+  /// Times of the events after which values are wanted that are not tracker yet, each once, in order [s].
+  /// Known when the run has come to its end.
   std::vector<double> event_times() const;
   /// Takes the values that are wanted after the events of this time.
   void observe_event(double time, const State& state, const Energy& energy);
@@ -43,7 +43,7 @@ class OutcomeProbe {
     Formula formula;
     std::vector<Source> sources;
   };
-  struct Taken {
+  struct OutcomeTracker {
     std::vector<Bound> formula, when;  ///< One each, or none.
     int body_A = -1, body_B = -1;      ///< Of its events or face.
     double value = 0;
@@ -52,7 +52,7 @@ class OutcomeProbe {
     bool is_done = false;
   };
   /// An output.
-  struct Look {
+  struct OutputSample {
     const State* state;
     const Energy* energy;
     const Audit* audit;
@@ -61,17 +61,17 @@ class OutcomeProbe {
   void bind(const Model& model);
   Bound bound(const std::string& formula, const Outcome& outcome) const;
   int body_of(const std::string& name, const Outcome& outcome) const;
-  double evaluated(const Bound& bound, const Look& look);
-  void observe_value(const Outcome& outcome, const Look& look, Taken& taken);
-  void observe_events(const Outcome& outcome, const AdvanceReport& since, Taken& taken) const;
-  double finished(const Outcome& outcome, const Look& end, double cpu_time, Taken& taken);
+  double evaluated(const Bound& bound, const OutputSample& sample);
+  void observe_value(const Outcome& outcome, const OutputSample& sample, OutcomeTracker& tracker);
+  void observe_events(const Outcome& outcome, const AdvanceReport& since, OutcomeTracker& tracker) const;
+  double finished(const Outcome& outcome, const OutputSample& end, double cpu_time, OutcomeTracker& tracker);
 
   const StudyPlan& plan_;
   std::vector<std::string> columns_;
   std::shared_ptr<const Model> model_;
   int bound_bodies_ = -1;  ///< Of the model to which the names are bound.
   std::vector<double> parameters_, arguments_, values_;
-  std::vector<Taken> taken_;
+  std::vector<OutcomeTracker> trackers_;
 };
 
 }  // namespace rigor
