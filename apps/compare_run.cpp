@@ -160,7 +160,7 @@ ComparedReference CompareRunner::execute(const PlannedReference& planned) {
   }
   const Scene& scene = *planned.scene;
   told.bound = reference.bound = limits_.error_bound.value_or(default_error_bound(*scene.model));
-  reference.motion = std::make_unique<MotionKeeper>(scene, most_reference_bytes_);
+  reference.motion = std::make_unique<MotionRecorder>(scene, most_reference_bytes_);
   const RunOutcome outcome =
       simulate(scene, planned.start,
                "reference: ", [&](const State& state, const AdvanceReport&, const Energy& energy) {

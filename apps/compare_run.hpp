@@ -89,8 +89,8 @@ class CompareRunner {
   /// A reference that is ready for use.
   struct Reference {
     std::vector<ExpectedPlace> places;
-    std::unique_ptr<MotionKeeper> motion;  ///< Null for places, or without a reference.
-    double bound = 0, horizon = 0;         ///< [m]; time until which the reference itself is good [s].
+    std::unique_ptr<MotionRecorder> motion;  ///< Null for places, or without a reference.
+    double bound = 0, horizon = 0;           ///< [m]; time until which the reference itself is good [s].
   };
   /// The outcome of a run.
   struct RunOutcome {

@@ -58,7 +58,7 @@ class MotionComparison {
 
   std::size_t most_bytes_;
   std::size_t run_count_ = 0;
-  std::optional<MotionKeeper> reference_;
+  std::optional<MotionRecorder> reference_;
   std::shared_ptr<const Model> model_;  ///< Model of this run.
   std::map<int, int> reference_body_;   ///< For each body of this run that is dynamic in both.
   std::size_t next_ = 0;                ///< First output time of the reference that lies ahead.

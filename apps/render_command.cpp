@@ -118,7 +118,7 @@ Shot simulate(const RenderOptions& options) {
   if (options.time && *options.time > 0 && *options.time < scene.run.duration)
     scene.run.duration = *options.time;
 
-  MotionKeeper keeper(scene);
+  MotionRecorder keeper(scene);
   ProgressLine line(true);
   Progress progress{.time = 0, .start = 0, .end = scene.run.duration};
   const RunResult result =
@@ -142,23 +142,23 @@ void write_picture(const std::filesystem::path& path, const Image& image) {
 }
 
 void write_sequence(const std::filesystem::path& path, const std::vector<std::size_t>& frames,
-                    Photographer& photographer) {
+                    PictureRenderer& renderer) {
   const auto numbered = [&](std::size_t number) {
     return std::filesystem::path(path).replace_filename(
         fmt::format("{}_{:04}.png", path.stem().string(), number));
   };
-  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+  const std::vector<Camera> cameras = renderer.cameras_of_film(frames);
   for (std::size_t i = 0; i < frames.size(); ++i)
-    write_png(numbered(i + 1), photographer.picture(frames[i], cameras[i]));
+    write_png(numbered(i + 1), renderer.picture(frames[i], cameras[i]));
   fmt::print(stderr, "wrote {} to {}: {} pictures\n", numbered(1).string(), numbered(frames.size()).string(),
              frames.size());
 }
 
 void write_film(const std::filesystem::path& path, const PictureSize& size,
-                const std::vector<std::size_t>& frames, Photographer& photographer) {
+                const std::vector<std::size_t>& frames, PictureRenderer& renderer) {
   MovieFile film(path, size.width, size.height);
-  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
-  for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
+  const std::vector<Camera> cameras = renderer.cameras_of_film(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) film.add(renderer.picture(frames[i], cameras[i]));
   film.close();
   fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", path.string(), frames.size(),
              MovieFile::frames_per_second);
@@ -194,16 +194,16 @@ ExitCode execute(const RenderOptions& given) {
     if (!text.empty()) print_warning(text);
   }
   if (is_single) check_time(*options.time, recording);
-  Photographer photographer(recording, camera, size);
+  PictureRenderer renderer(recording, camera, size);
   if (is_sheet) {
-    write_picture(output, photographer.sheet(find_key_moments(recording, sheet_pictures)));
+    write_picture(output, renderer.sheet(find_key_moments(recording, sheet_pictures)));
   } else if (is_single) {
-    write_picture(output, photographer.picture(nearest_frame(recording, *options.time)));
+    write_picture(output, renderer.picture(nearest_frame(recording, *options.time)));
   } else if (is_film) {
     write_film(output, size, even_frames(recording, options.frames.value_or(film_frames(recording))),
-               photographer);
+               renderer);
   } else {
-    write_sequence(output, even_frames(recording, *options.frames), photographer);
+    write_sequence(output, even_frames(recording, *options.frames), renderer);
   }
   if (shot.stop.empty()) return exit_done;
   print_error(shot.stop);

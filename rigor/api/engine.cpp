@@ -37,7 +37,7 @@ void check_settings(const Scene& scene) {
 
 bool changes_nothing(const ModelChanges& changes, const Model& scene) {
   return changes.g_W == scene.g_W() && changes.surfaces == unchanged(scene).surfaces &&
-         changes.axes.empty() && changes.leads.empty() && changes.added_forces.empty();
+         changes.axes.empty() && changes.kinematic_motions.empty() && changes.added_forces.empty();
 }
 
 /// The State at t = 0 without overlaps.
@@ -73,7 +73,7 @@ SimulationEngine::~SimulationEngine() = default;
 
 void SimulationEngine::reset() {
   state_ = start_;
-  inputs_.changes.leads.clear();
+  inputs_.changes.kinematic_motions.clear();
   inputs_changed_ = true;
   applied_ = unchanged(*scene_.model);
   events_.clear();

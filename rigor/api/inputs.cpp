@@ -69,12 +69,12 @@ bool SimulationInputs::release_motor(int joint, int coordinate) {
          }) > 0;
 }
 
-ModelChanges::Lead& SimulationInputs::lead(int body) {
-  for (ModelChanges::Lead& own : changes.leads) {
+ModelChanges::KinematicMotion& SimulationInputs::kinematic_motion(int body) {
+  for (ModelChanges::KinematicMotion& own : changes.kinematic_motions) {
     if (own.body == body) return own;
   }
-  changes.leads.push_back({body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3::Zero(), {}});
-  return changes.leads.back();
+  changes.kinematic_motions.push_back({body, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3::Zero(), {}});
+  return changes.kinematic_motions.back();
 }
 
 void SimulationInputs::set_effort(const MotorEffort& effort) {
@@ -210,20 +210,20 @@ JointDrive read_servo(const Json& json, int joint, int coordinate) {
   return {joint, coordinate, JointDrive::Kind::position, numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-Json lead_json(const ModelChanges::Lead& lead) {
+Json kinematic_motion_json(const ModelChanges::KinematicMotion& lead) {
   Json path = Json::array();
   for (const PathPoint& point : lead.path)
     path.push_back({point.time, numbers(point.p_WU), numbers(point.q_WU)});
   return {lead.body, numbers(lead.p_WB), numbers(lead.q_WB), numbers(lead.v_WB), numbers(lead.w_WB), path};
 }
 
-ModelChanges::Lead read_lead(const Json& json, const Model& model) {
-  ModelChanges::Lead lead{read_index(json.at(0), at(model.body_count())),
-                          read_vector(json.at(1)),
-                          read_quaternion(json.at(2)),
-                          read_vector(json.at(3)),
-                          read_vector(json.at(4)),
-                          {}};
+ModelChanges::KinematicMotion read_kinematic_motion(const Json& json, const Model& model) {
+  ModelChanges::KinematicMotion lead{read_index(json.at(0), at(model.body_count())),
+                                     read_vector(json.at(1)),
+                                     read_quaternion(json.at(2)),
+                                     read_vector(json.at(3)),
+                                     read_vector(json.at(4)),
+                                     {}};
   if (model.body(lead.body).motion != MotionType::kinematic)
     throw InputError("the saved inputs lead a body that is not kinematic");
   for (const Json& point : json.at(5)) {
@@ -254,7 +254,8 @@ Json inputs_json(const SimulationInputs& inputs, const std::vector<BodyLoad>& lo
     }
     axes.push_back(std::move(entry));
   }
-  for (const ModelChanges::Lead& lead : inputs.changes.leads) leads.push_back(lead_json(lead));
+  for (const ModelChanges::KinematicMotion& lead : inputs.changes.kinematic_motions)
+    leads.push_back(kinematic_motion_json(lead));
   for (const MotorEffort& effort : inputs.efforts)
     efforts.push_back({effort.joint, effort.coordinate, effort.effort});
   for (const BodyLoad& load : loads) {
@@ -282,7 +283,8 @@ void read_inputs(const Json& json, const Model& model, SimulationInputs& inputs,
     inputs.changes.axes.push_back({joint, coordinate, read_laws(axis.at(2)), {}});
     if (axis.size() > 3) inputs.changes.axes.back().drive = read_servo(axis.at(3), joint, coordinate);
   }
-  for (const Json& lead : json.at("leads")) inputs.changes.leads.push_back(read_lead(lead, model));
+  for (const Json& lead : json.at("leads"))
+    inputs.changes.kinematic_motions.push_back(read_kinematic_motion(lead, model));
   for (const Json& effort : json.at("efforts")) {
     const auto [joint, coordinate] = read_coordinate(effort, model);
     if (!takes_effort(model.joint(joint), coordinate))

@@ -26,7 +26,7 @@ struct SimulationInputs {
   /// The laws and drives of the scene hold again. Whether that changes anything.
   bool release_motor(int joint, int coordinate);
   /// Where a kinematic body goes, to be set.
-  ModelChanges::Lead& lead(int body);
+  ModelChanges::KinematicMotion& kinematic_motion(int body);
   /// Sets an effort; 0 ends it.
   void set_effort(const MotorEffort& effort);
   /// The effort along a coordinate.

@@ -110,7 +110,7 @@ void Simulation::set_pose(const BodyReference& body, const Pose& X_WU) {
   const Pose X_WB = X_WU * own.X_BU.inverse();
   const Quat q_WB = quaternion_of(X_WB.R);
   if (own.motion == MotionType::kinematic) {
-    ModelChanges::Lead& lead = parts_->engine.inputs().lead(i);
+    ModelChanges::KinematicMotion& lead = parts_->engine.inputs().kinematic_motion(i);
     lead = {i, X_WB.p, q_WB, Vec3::Zero(), Vec3::Zero(), {}};
     parts_->engine.inputs_changed();
   }
@@ -136,7 +136,7 @@ void Simulation::set_velocity(const BodyReference& body, const Vec3& v_W, const 
   } else if (own.motion == MotionType::kinematic) {
     // Its motion is told from t = 0.
     const double t = now.t;
-    parts_->engine.inputs().lead(i) = {i, x - t * v_W, rotation_exp(-t * w_W) * q, v_W, w_W, {}};
+    parts_->engine.inputs().kinematic_motion(i) = {i, x - t * v_W, rotation_exp(-t * w_W) * q, v_W, w_W, {}};
     parts_->engine.inputs_changed();
   } else {
     throw InputError(fmt::format("body {} is static: only dynamic and kinematic bodies have velocities",
@@ -158,12 +158,13 @@ void Simulation::move_to(const BodyReference& body, const Pose& X_WU, double dur
   const State& now = parts_->state();
   const Vec3 x = now.position(i);
   const Quat q = now.orientation(i);
-  parts_->engine.inputs().lead(i) = {i,
-                                     x,
-                                     q,
-                                     Vec3::Zero(),
-                                     Vec3::Zero(),
-                                     {{now.t, x, q}, {now.t + duration, X_WU.p, quaternion_of(X_WU.R)}}};
+  parts_->engine.inputs().kinematic_motion(i) = {
+      i,
+      x,
+      q,
+      Vec3::Zero(),
+      Vec3::Zero(),
+      {{now.t, x, q}, {now.t + duration, X_WU.p, quaternion_of(X_WU.R)}}};
   parts_->engine.inputs_changed();
   parts_->changed();
 }

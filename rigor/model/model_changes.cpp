@@ -63,13 +63,13 @@ std::shared_ptr<const Model> changed_model(const Model& model, const ModelChange
     change_drive(change, joint, changed.drives_, findings);
   }
   if (changes.ends_drives) changed.drives_ = {};
-  for (const ModelChanges::Lead& lead : changes.leads) {
-    Body& body = changed.bodies_[at(lead.body)];
-    body.p_WB = lead.p_WB;
-    body.q_WB = lead.q_WB;
-    body.v_WB = lead.v_WB;
-    body.w_WB = lead.w_WB;
-    body.path = lead.path;
+  for (const ModelChanges::KinematicMotion& kinematic_motion : changes.kinematic_motions) {
+    Body& body = changed.bodies_[at(kinematic_motion.body)];
+    body.p_WB = kinematic_motion.p_WB;
+    body.q_WB = kinematic_motion.q_WB;
+    body.v_WB = kinematic_motion.v_WB;
+    body.w_WB = kinematic_motion.w_WB;
+    body.path = kinematic_motion.path;
   }
   if (!messages.empty()) throw InputError(std::move(messages));
   changed.forces_.insert(changed.forces_.end(), changes.added_forces.begin(), changes.added_forces.end());

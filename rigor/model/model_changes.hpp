@@ -28,14 +28,14 @@ struct ModelChanges {
   };
   std::vector<Axis> axes;
   /// Where a kinematic body goes, in place of the model's own velocities and path.
-  struct Lead {
+  struct KinematicMotion {
     int body;
     Vec3 p_WB;  ///< At t = 0, as in Body [m].
     Quat q_WB;
     Vec3 v_WB, w_WB;  ///< [m/s], [rad/s].
     std::vector<PathPoint> path;
   };
-  std::vector<Lead> leads;
+  std::vector<KinematicMotion> kinematic_motions;
   bool ends_drives = false;  ///< The changed model has none.
 };
 
@@ -43,7 +43,7 @@ struct ModelChanges {
 ModelChanges unchanged(const Model& model);
 
 /// The model with these changes; the bodies, and so the States that belong to it, are the same. Throws
-/// InputError if a value is outside its limits. added_forces and leads are not checked.
+/// InputError if a value is outside its limits. added_forces and kinematic_motions are not checked.
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);
 
 }  // namespace rigor

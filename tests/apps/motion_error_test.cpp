@@ -35,7 +35,7 @@ void run(const Scene& scene, Watch watch) {
 
 std::optional<MotionError> error_over_time(const Scene& scene, const Scene& reference, double bound,
                                            double horizon = kForever) {
-  MotionKeeper keeper(reference);
+  MotionRecorder keeper(reference);
   run(reference, [&](const State& state, const Energy& energy) {
     keeper.write(make_sample(*reference.model, state, energy), {});
   });

@@ -16,7 +16,7 @@ bool is_same_pixel(const Image& a, int xa, const Image& b, int xb, int y) {
   return std::equal(a.pixel(xa, y), a.pixel(xa, y) + 3, b.pixel(xb, y));
 }
 
-TEST(Photographer, TheLegendStandsWhereItCoversNoBody) {
+TEST(PictureRenderer, TheLegendStandsWhereItCoversNoBody) {
   const std::string small_balls =
       "  - {name: a, mass: 1, shapes: [{type: sphere, radius: 0.3}]}\n"
       "  - {name: b, mass: 1, shapes: [{type: sphere, radius: 0.3}]}\n";
@@ -25,8 +25,8 @@ TEST(Photographer, TheLegendStandsWhereItCoversNoBody) {
   // At the left and the right edge, below the name and below the time, then in the lower left corner as well.
   for (const Vec3& second : {Vec3(4.4, 0, 2), Vec3(-4.4, 0, -2.2)}) {
     recording.motion.position = {-4.4, 0, 2, second.x(), second.y(), second.z()};
-    Photographer photographer(recording, wishes, {640, 360});
-    const Image bare = photographer.draw(0), labelled = photographer.picture(0);
+    PictureRenderer renderer(recording, wishes, {640, 360});
+    const Image bare = renderer.draw(0), labelled = renderer.picture(0);
     constexpr int below_name = 30;
     int covered = 0, hidden = 0;
     for (int y = below_name; y < bare.height; ++y) {
@@ -53,7 +53,7 @@ double height_in_picture(const Camera& camera, const Vec3& p_W, double radius, c
 }
 
 /// A small body that flies farther than one picture can show is on each picture of a sheet all the same.
-TEST(Photographer, MomentsOnASheetShowWhatHasFlownOff) {
+TEST(PictureRenderer, MomentsOnASheetShowWhatHasFlownOff) {
   test::Random random(3);
   constexpr PictureSize size{466, 262};
   for (int k = 0; k < 40; ++k) {
@@ -69,17 +69,17 @@ TEST(Photographer, MomentsOnASheetShowWhatHasFlownOff) {
     for (const Vec3& p : places)
       recording.motion.position.insert(recording.motion.position.end(), {p.x(), p.y(), p.z()});
 
-    const Photographer photographer(recording, {}, size);
+    const PictureRenderer renderer(recording, {}, size);
     for (std::size_t i = 0; i < 5; ++i) {
-      const double height = height_in_picture(photographer.camera_of_moment(i), places[i], radius, size);
+      const double height = height_in_picture(renderer.camera_of_moment(i), places[i], radius, size);
       EXPECT_GE(height, 1) << "moment " << i;
       // What the common camera shows is taken with it, so that places can be compared.
-      if (height_in_picture(photographer.camera(), places[i], radius, size) >= 1) {
-        EXPECT_EQ(photographer.camera_of_moment(i).eye, photographer.camera().eye);
+      if (height_in_picture(renderer.camera(), places[i], radius, size) >= 1) {
+        EXPECT_EQ(renderer.camera_of_moment(i).eye, renderer.camera().eye);
       }
     }
     // Where the user placed the camera it stays.
-    const Photographer placed(recording, {Vec3(0, -far, 0), Vec3::Zero(), {}}, size);
+    const PictureRenderer placed(recording, {Vec3(0, -far, 0), Vec3::Zero(), {}}, size);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(placed.camera_of_moment(i).eye, Vec3(0, -far, 0));
   }
 }

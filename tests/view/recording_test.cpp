@@ -112,11 +112,11 @@ TEST(Recording, TheNearestOutputTimeIsFound) {
   EXPECT_EQ(poses_at(recording, 3)[1].p, Vec3(1, 0, 3));
 }
 
-TEST(MotionKeeper, KeepsTheFirstAndTheLastTimeAndEvenStepsWithinItsMemory) {
+TEST(MotionRecorder, KeepsTheFirstAndTheLastTimeAndEvenStepsWithinItsMemory) {
   const Scene scene = scene_of(two_balls);
   const std::size_t most = 100 * 31 * sizeof(double);
   for (const int count : {1, 2, 50, 100, 101, 1000, 1001, 4096, 5000}) {
-    MotionKeeper keeper(scene, most);
+    MotionRecorder keeper(scene, most);
     for (int k = 0; k < count; ++k) {
       TrajectorySample sample = sample_row(k, 2);
       sample.time = k;
@@ -188,24 +188,24 @@ TEST(KeyMoments, AreNotNextToEachOther) {
 
 // Pictures
 
-TEST(Photographer, PicturesHaveTheirSizeAndTheSameBitsAgain) {
+TEST(PictureRenderer, PicturesHaveTheirSizeAndTheSameBitsAgain) {
   const Recording recording = made_up_recording(scene_of(two_balls), 11, 0.1);
-  Photographer photographer(recording, {}, {200, 100});
-  const Image image = photographer.picture(3);
+  PictureRenderer renderer(recording, {}, {200, 100});
+  const Image image = renderer.picture(3);
   EXPECT_EQ(image.width, 200);
   EXPECT_EQ(image.height, 100);
-  EXPECT_EQ(Photographer(recording, {}, {200, 100}).picture(3), image);
-  EXPECT_NE(photographer.picture(4), image);
+  EXPECT_EQ(PictureRenderer(recording, {}, {200, 100}).picture(3), image);
+  EXPECT_NE(renderer.picture(4), image);
   // The legend is on the picture and not on the drawing.
-  EXPECT_NE(photographer.draw(3), image);
+  EXPECT_NE(renderer.draw(3), image);
 }
 
-TEST(Photographer, ASheetHasAPictureForEachMoment) {
+TEST(PictureRenderer, ASheetHasAPictureForEachMoment) {
   const Recording recording = made_up_recording(scene_of(two_balls), 101, 0.01);
-  Photographer photographer(recording, {}, sheet_tile(700));
+  PictureRenderer renderer(recording, {}, sheet_tile(700));
   for (std::size_t count = 2; count <= 6; ++count) {
     const std::vector<KeyMoment> moments = find_key_moments(recording, count);
-    const Image sheet = photographer.sheet(moments);
+    const Image sheet = renderer.sheet(moments);
     const PictureSize tile = sheet_tile(700);
     EXPECT_GE(sheet.width, sheet_columns(count) * tile.width);
     EXPECT_LE(sheet.width, 700);

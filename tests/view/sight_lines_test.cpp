@@ -86,7 +86,7 @@ Recording flight(const std::string& standing, const std::vector<Vec3>& places) {
   return recording;
 }
 
-TEST(Photographer, NeverLooksFromBehindAWallThatItCanGoRound) {
+TEST(PictureRenderer, NeverLooksFromBehindAWallThatItCanGoRound) {
   test::Random random(5);
   for (int k = 0; k < 30; ++k) {
     SCOPED_TRACE(k);
@@ -95,11 +95,11 @@ TEST(Photographer, NeverLooksFromBehindAWallThatItCanGoRound) {
     for (int i = 0; i < 12; ++i) places.push_back(0.1 * i * velocity);
     const Vec3 middle = 0.5 * (places.front() + places.back());
     const Recording free = flight("", places);
-    const Vec3 eye = Photographer(free, {}, {320, 180}).camera().eye;
+    const Vec3 eye = PictureRenderer(free, {}, {320, 180}).camera().eye;
     // A wall in the way of that camera, large enough to hide the flight from there.
     const Vec3 along = (middle - eye).normalized(), at_wall = middle - 0.9 * along;
     const Recording walled = flight(wall_text(at_wall, along, 2.4), places);
-    const Camera camera = Photographer(walled, {}, {320, 180}).camera();
+    const Camera camera = PictureRenderer(walled, {}, {320, 180}).camera();
     for (const Vec3& p : places) {
       EXPECT_TRUE(crosses(eye, p, at_wall, along, 2.4));
       EXPECT_FALSE(crosses(camera.eye, p, at_wall, along, 2.4));
@@ -107,12 +107,12 @@ TEST(Photographer, NeverLooksFromBehindAWallThatItCanGoRound) {
   }
 }
 
-TEST(Photographer, AWallBetweenTheUsersEyeAndABallIsGlass) {
+TEST(PictureRenderer, AWallBetweenTheUsersEyeAndABallIsGlass) {
   const CameraOptions wishes{Vec3(-4, 0, 0), Vec3(0, 0, 0), {}, {}};
   const PictureSize size{160, 90};
   const auto middle = [&](const std::string& standing, const Vec3& place) {
     const Recording recording = flight(standing, {place});
-    const Image image = Photographer(recording, wishes, size).draw(0);
+    const Image image = PictureRenderer(recording, wishes, size).draw(0);
     return std::array<int, 3>{image.pixel(80, 45)[0], image.pixel(80, 45)[1], image.pixel(80, 45)[2]};
   };
   const std::string wall = wall_text(Vec3(-1, 0, 0), Vec3::UnitX(), 1);
@@ -128,7 +128,7 @@ TEST(Photographer, AWallBetweenTheUsersEyeAndABallIsGlass) {
 }
 
 /// A film follows what flies off: it is seen in each picture, and no camera jumps.
-TEST(Photographer, AFilmFollowsABallThatFliesOff) {
+TEST(PictureRenderer, AFilmFollowsABallThatFliesOff) {
   constexpr PictureSize size{320, 180};
   test::Random random(8);
   for (int k = 0; k < 10; ++k) {
@@ -142,8 +142,8 @@ TEST(Photographer, AFilmFollowsABallThatFliesOff) {
       frames.push_back(i);
     }
     const Recording recording = flight("", places);
-    const Photographer photographer(recording, {}, size);
-    const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+    const PictureRenderer renderer(recording, {}, size);
+    const std::vector<Camera> cameras = renderer.cameras_of_film(frames);
     ASSERT_EQ(cameras.size(), frames.size());
     int seen = 0;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -156,7 +156,7 @@ TEST(Photographer, AFilmFollowsABallThatFliesOff) {
     // A pan goes evenly, by equal factors of the distance a picture, and begins and ends gently: with at
     // most 1.5 times that speed.
     const auto distance = [](const Camera& camera) { return (camera.eye - camera.target).norm(); };
-    double nearest = distance(photographer.camera()), farthest = nearest;
+    double nearest = distance(renderer.camera()), farthest = nearest;
     for (const Camera& camera : cameras)
       nearest = std::min(nearest, distance(camera)), farthest = std::max(farthest, distance(camera));
     const double fastest = 1.5 / 31 * std::log(farthest / nearest) + 1e-9;

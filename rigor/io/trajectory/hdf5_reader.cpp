@@ -3,8 +3,8 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/io/trajectory/hdf5_cut_off.hpp"
 #include "rigor/io/trajectory/hdf5_handle.hpp"
+#include "rigor/io/trajectory/hdf5_truncated.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ class Reader {
         file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {
     if (file_.is_open()) return;
     quiet.stay();
-    CutOffFile cut_off = open_cut_off_file(path);
+    TruncatedFile cut_off = open_truncated_file(path);
     if (cut_off.whole > cut_off.present)
       lost_ = fmt::format("it is cut off, {} of {} bytes are left", cut_off.present, cut_off.whole);
     present_ = cut_off.present;
@@ -39,11 +39,11 @@ class Reader {
     if (file_.is_open()) return;
     throw InputError(fmt::format(
         "cannot read {}: {}", name_,
-        is_cut_off() ? lost_ + ", not even its first parts" : "it is not an HDF5 file that can be opened"));
+        is_truncated() ? lost_ + ", not even its first parts" : "it is not an HDF5 file that can be opened"));
   }
 
   const std::string& name() const { return name_; }
-  bool is_cut_off() const { return !lost_.empty(); }
+  bool is_truncated() const { return !lost_.empty(); }
   /// "it is cut off, 100 of 200 bytes are left".
   const std::string& lost() const { return lost_; }
 
@@ -51,7 +51,7 @@ class Reader {
   /// unless the file is truncated.
   std::size_t common_rows(const std::vector<const char*>& names) const {
     std::size_t rows = row_count(names.front());
-    if (!is_cut_off()) return rows;
+    if (!is_truncated()) return rows;
     for (const char* const name : names) rows = std::min(rows, row_count(name));
     return rows;
   }
@@ -148,7 +148,7 @@ class Reader {
 
   std::size_t row_count(const char* name) const {
     const Hdf5Handle dataset = open(name);
-    if (is_cut_off()) return intact_rows(dataset, present_);
+    if (is_truncated()) return intact_rows(dataset, present_);
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
     check(H5Sget_simple_extent_ndims(space) >= 1, name);
     std::vector<hsize_t> shape(at(H5Sget_simple_extent_ndims(space)));
@@ -179,8 +179,9 @@ class Reader {
   void check(bool is_good, const char* part) const {
     if (is_good) return;
     throw InputError(
-        is_cut_off() ? fmt::format("cannot read {}: {}, and '{}' is not whole", name_, lost_, part)
-                     : fmt::format("cannot read {}: '{}' is missing or not as Rigor writes it", name_, part));
+        is_truncated()
+            ? fmt::format("cannot read {}: {}, and '{}' is not whole", name_, lost_, part)
+            : fmt::format("cannot read {}: '{}' is missing or not as Rigor writes it", name_, part));
   }
 
   std::string name_, lost_;
@@ -267,7 +268,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
           fmt::format("{}: the run ended at t = {:g} s of {:g} s", reader.name(), end, duration);
   }
   // A truncated file must have at least one output time, and its message says how many.
-  if (!reader.is_cut_off()) return stored;
+  if (!reader.is_truncated()) return stored;
   if (rows == 0)
     throw InputError(
         fmt::format("cannot read {}: {}, and no output time is whole", reader.name(), reader.lost()));

@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-class SurfaceShelf {
+class SurfaceCache {
  public:
   std::shared_ptr<const Surface> surface(const Shape& shape) {
     const ShapeData data = shape_data(shape);
@@ -71,7 +71,7 @@ DrawnScene make_drawn_scene(const Model& model) {
   DrawnScene scene;
   scene.body_count = model.body_count();
   if (model.g_W().norm() > 0) scene.up = -model.g_W().normalized();
-  SurfaceShelf shelf;
+  SurfaceCache cache;
   const ShapeColors colors(model);
   const std::vector<double> reaches = joint_reaches(model);
   for (int i = 0; i < model.body_count(); ++i) {
@@ -80,7 +80,7 @@ DrawnScene make_drawn_scene(const Model& model) {
     for (const BodyShape& shape : drawn_shapes(body, reaches[at(i)])) {
       const Shape form = drawn_form(shape.shape);
       scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_UB * shape.X_BS,
-                              shelf.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
+                              cache.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
                               colors.of(i, shape)});
     }
   }

@@ -16,7 +16,7 @@
 namespace rigor {
 
 FilmWriter::FilmWriter(std::filesystem::path path, const Scene& scene)
-    : MotionKeeper(scene), path_(std::move(path)) {
+    : MotionRecorder(scene), path_(std::move(path)) {
   check_can_film(path_);
   check_can_write(path_);
 }
@@ -25,12 +25,12 @@ void FilmWriter::close(const Audit&) {
   const Recording& motion = recording();
   if (motion.frame_count() == 0) return;
   const PictureSize size;
-  Photographer photographer(motion, {}, size);
+  PictureRenderer renderer(motion, {}, size);
   MovieFile film(path_, size.width, size.height);
   const std::vector<std::size_t> frames = even_frames(motion, film_frames(motion));
   try {
-    const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
-    for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
+    const std::vector<Camera> cameras = renderer.cameras_of_film(frames);
+    for (std::size_t i = 0; i < frames.size(); ++i) film.add(renderer.picture(frames[i], cameras[i]));
   } catch (const Interrupted&) {
     film.give_up();
     throw;

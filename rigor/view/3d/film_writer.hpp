@@ -9,7 +9,7 @@
 namespace rigor {
 
 /// Output of a run as a film of 1280 by 720 pixels, encoded by ffmpeg when the run ends.
-class FilmWriter : public MotionKeeper {
+class FilmWriter : public MotionRecorder {
  public:
   /// Throws FileError if ffmpeg is not there or the file cannot be written: before the run, not after it.
   FilmWriter(std::filesystem::path path, const Scene& scene);

@@ -135,7 +135,8 @@ PictureSize sheet_tile(int sheet_width) {
   return {width, std::max(least_picture_side, width * 9 / 16)};
 }
 
-Photographer::Photographer(const Recording& recording, const CameraOptions& options, const PictureSize& size)
+PictureRenderer::PictureRenderer(const Recording& recording, const CameraOptions& options,
+                                 const PictureSize& size)
     : recording_(recording), size_(size), options_(options), scene_(make_drawn_scene(*recording.model)) {
   const std::vector<Pose> poses = sampled_poses(recording);
   camera_ = make_camera(scene_, poses, options, static_cast<double>(size.width) / size.height);
@@ -144,7 +145,7 @@ Photographer::Photographer(const Recording& recording, const CameraOptions& opti
 }
 
 /// Candidate positions of the legend: below the scene's name, below the time, or in the lower corners.
-void Photographer::place_legend(const std::vector<Pose>& poses) {
+void PictureRenderer::place_legend(const std::vector<Pose>& poses) {
   const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
   if (lines.empty()) return;
   const double size = text_size(size_), edge = 1.2 * size;
@@ -162,24 +163,24 @@ void Photographer::place_legend(const std::vector<Pose>& poses) {
   }
 }
 
-void Photographer::put_glass(const std::vector<std::size_t>& shapes) {
+void PictureRenderer::put_glass(const std::vector<std::size_t>& shapes) {
   for (DrawnShape& shape : scene_.shapes) shape.is_glass = false;
   for (const std::size_t i : shapes) scene_.shapes[i].is_glass = true;
 }
 
-Image Photographer::draw(std::size_t frame, const Camera& camera) {
+Image PictureRenderer::draw(std::size_t frame, const Camera& camera) {
   // One glass for all pictures of the common camera, so that nothing flickers in a film.
   const std::vector<Pose> poses = poses_at(recording_, frame);
   put_glass(camera.eye == camera_.eye ? glass_ : SightLines(scene_, poses).hiding(camera.eye));
   return renderer_.draw(scene_, poses, camera, size_.width, size_.height);
 }
 
-Camera Photographer::camera_of_moment(std::size_t frame) const {
+Camera PictureRenderer::camera_of_moment(std::size_t frame) const {
   return shows_nothing(frame) ? own_camera(frame) : camera_;
 }
 
 /// Whether the common camera, where it may be left, shows nothing of what moves, or less than a pixel.
-bool Photographer::shows_nothing(std::size_t frame) const {
+bool PictureRenderer::shows_nothing(std::size_t frame) const {
   if (!(largest_radius(scene_) > 0) || options_.eye || options_.target) return false;
   const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
   const Projection common(camera_, size_.width, size_.height);
@@ -187,7 +188,7 @@ bool Photographer::shows_nothing(std::size_t frame) const {
 }
 
 /// A camera that frames this moment alone, in the direction of the common one.
-Camera Photographer::own_camera(std::size_t frame) const {
+Camera PictureRenderer::own_camera(std::size_t frame) const {
   CameraOptions options = options_;
   options.forward = (camera_.target - camera_.eye).normalized();
   Camera own = make_camera(scene_, poses_at(recording_, frame), options,
@@ -202,7 +203,7 @@ Camera Photographer::own_camera(std::size_t frame) const {
   return own;
 }
 
-std::vector<Camera> Photographer::cameras_of_film(std::span<const std::size_t> frames) const {
+std::vector<Camera> PictureRenderer::cameras_of_film(std::span<const std::size_t> frames) const {
   constexpr std::ptrdiff_t pan = 30;
   const std::ptrdiff_t count = std::ssize(frames), reach = std::min(pan, count / 4);
   // How much of the own camera a picture has: all where the common one shows nothing, less before and after.
@@ -224,7 +225,7 @@ std::vector<Camera> Photographer::cameras_of_film(std::span<const std::size_t> f
   return cameras;
 }
 
-Image Photographer::picture(std::size_t frame, const Camera& camera) {
+Image PictureRenderer::picture(std::size_t frame, const Camera& camera) {
   Image image = draw(frame, camera);
   Canvas canvas(image);
   const double size = text_size(size_), edge = 1.2 * size;
@@ -241,7 +242,7 @@ Image Photographer::picture(std::size_t frame, const Camera& camera) {
   return image;
 }
 
-Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
+Image PictureRenderer::sheet(const std::vector<KeyMoment>& moments) {
   const double size = std::clamp(0.05 * size_.height, 11.0, 24.0);
   const int columns = sheet_columns(moments.size());
   const int rows = (static_cast<int>(moments.size()) + columns - 1) / columns;

@@ -20,10 +20,10 @@ inline constexpr int least_picture_side = 16, most_picture_side = 16384;
 /// Makes pictures of one recording, all through the same camera; moments of which it shows nothing that moves
 /// have one of their own, to which films pan. What stands still between a camera and the bodies that move is
 /// drawn as glass.
-class Photographer {
+class PictureRenderer {
  public:
   /// The recording must outlive this object.
-  Photographer(const Recording& recording, const CameraOptions& options, const PictureSize& size);
+  PictureRenderer(const Recording& recording, const CameraOptions& options, const PictureSize& size);
 
   const Camera& camera() const { return camera_; }
   /// The same camera, or one that frames this moment alone, seen in the same direction, if that shows nothing

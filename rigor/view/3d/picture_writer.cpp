@@ -10,7 +10,7 @@
 namespace rigor {
 
 PictureWriter::PictureWriter(std::filesystem::path path, const Scene& scene)
-    : MotionKeeper(scene), path_(std::move(path)) {
+    : MotionRecorder(scene), path_(std::move(path)) {
   check_can_write(path_);
 }
 
@@ -28,7 +28,7 @@ std::unique_ptr<TrajectoryWriter> make_picture_writer(const std::filesystem::pat
 }
 
 Image key_moment_sheet(const Recording& recording, const CameraOptions& options, int width) {
-  return Photographer(recording, options, sheet_tile(width))
+  return PictureRenderer(recording, options, sheet_tile(width))
       .sheet(find_key_moments(recording, sheet_pictures));
 }
 

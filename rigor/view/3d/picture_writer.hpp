@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// Output of a run as a picture: a sheet of its key moments, written when the run ends.
-class PictureWriter : public MotionKeeper {
+class PictureWriter : public MotionRecorder {
  public:
   /// Throws FileError if the file cannot be written.
   PictureWriter(std::filesystem::path path, const Scene& scene);

@@ -26,7 +26,7 @@ void clip_before(const std::vector<Vec3>& polygon, double near, std::vector<Vec3
 /// The direction of a smooth face's normal over the picture: affine after division by depth, and given at
 /// three of its corners.
 void set_smooth_normal(std::span<const PicturePoint, 3> at, std::span<const Vec3, 3> normals,
-                       SeenThing& thing) {
+                       ShadedPrimitive& thing) {
   // Three corners of the picture give the three coefficients of an affine function.
   Mat3 places;
   for (int i = 0; i < 3; ++i) {
@@ -97,11 +97,12 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WU, const 
 
   // Second pass: shading. Each pixel gets the colour of what its samples see.
   const Mat3& R_KW = projection.X_KW().R;
-  const Look look{(R_KW * sun_W).cast<float>(), (R_KW * scene.up).cast<float>(),
-                  static_cast<float>(round_number(0.08 * distance)), static_cast<float>(7 * distance)};
-  light_flat_things(look, things_);
+  const Lighting lighting{(R_KW * sun_W).cast<float>(), (R_KW * scene.up).cast<float>(),
+                          static_cast<float>(round_number(0.08 * distance)),
+                          static_cast<float>(7 * distance)};
+  light_flat_primitives(lighting, primitives_);
   Image image(width, height);
-  develop(Shader(projection, things_, shadows_, look), image);
+  develop(Shader(projection, primitives_, shadows_, lighting), image);
   return image;
 }
 
@@ -137,7 +138,7 @@ void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) 
 }
 
 void Renderer::see_all(const Projection& projection, int width, int height) {
-  things_.assign(1, SeenThing{});
+  primitives_.assign(1, ShadedPrimitive{});
   see(projection, false, width, height);
   if (!has_glass_) return;
   // Glass hides nothing: it has samples of its own, which are laid over the others.
@@ -174,12 +175,12 @@ void Renderer::see_ball(const ShownShape& placed, double radius, const Projectio
   const PictureBox box = box_around(p_K, radius, projection);
   if (occlusion.hides(box)) return;
   occlusion.add(box);
-  const std::uint32_t id = static_cast<std::uint32_t>(things_.size());
-  SeenThing& ball = things_.emplace_back();
-  ball.kind = SeenThing::Kind::ball;
+  const std::uint32_t id = static_cast<std::uint32_t>(primitives_.size());
+  ShadedPrimitive& ball = primitives_.emplace_back();
+  ball.kind = ShadedPrimitive::Kind::ball;
   ball.color = placed.shape->color;
   ball.normal = p_K.cast<float>();
-  for (SampleGrid& grid : grids_) grid.fill(SeenBall{p_K, radius}, projection, id);
+  for (SampleGrid& grid : grids_) grid.fill(ViewSpaceBall{p_K, radius}, projection, id);
 }
 
 void Renderer::see_plane(const ShownShape& placed, const HalfSpace& plane, const Projection& projection) {
@@ -188,9 +189,9 @@ void Renderer::see_plane(const ShownShape& placed, const HalfSpace& plane, const
   const Vec3 p = X_KS * (plane.offset * plane.normal);
   const double offset = normal.dot(p);
   if (offset >= 0) return;  // The eye is inside the solid: the plane is left out so that it hides nothing.
-  const std::uint32_t id = static_cast<std::uint32_t>(things_.size());
-  SeenThing& ground = things_.emplace_back();
-  ground.kind = SeenThing::Kind::plane;
+  const std::uint32_t id = static_cast<std::uint32_t>(primitives_.size());
+  ShadedPrimitive& ground = primitives_.emplace_back();
+  ground.kind = ShadedPrimitive::Kind::plane;
   ground.color = placed.shape->color;
   ground.normal = normal.cast<float>();
   // The pattern of squares lies along these two axes of the plane.
@@ -229,8 +230,8 @@ void Renderer::see_surface(const ShownShape& placed, const Projection& projectio
     const std::size_t first = static_cast<std::size_t>(face.begin);
     const double offset = normal.dot(points_[static_cast<std::size_t>(surface.corners[first])]);
     if (offset >= 0) continue;
-    SeenThing& thing = things_.emplace_back();
-    thing.kind = SeenThing::Kind::face;
+    ShadedPrimitive& thing = primitives_.emplace_back();
+    thing.kind = ShadedPrimitive::Kind::face;
     thing.color = placed.shape->color;
     thing.normal = normal.cast<float>();
     thing.is_flat = true;
@@ -269,14 +270,14 @@ void Renderer::see_face(const Surface& surface, const Surface::Face& face, const
       normals[static_cast<std::size_t>(i)] =
           X_KS.R * surface.corner_normals[static_cast<std::size_t>(face.begin + i)];
     }
-    set_smooth_normal(at, normals, things_.back());
+    set_smooth_normal(at, normals, primitives_.back());
   }
 }
 
 void Renderer::fill_all(std::span<const Vec2> corners, const NearnessPlane& plane) {
   if (corners.size() < 3) return;
   const Outline outline(corners);
-  const std::uint32_t id = static_cast<std::uint32_t>(things_.size() - 1);
+  const std::uint32_t id = static_cast<std::uint32_t>(primitives_.size() - 1);
   for (SampleGrid& grid : grids_) grid.fill(outline, plane, id);
 }
 

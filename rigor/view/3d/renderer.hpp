@@ -53,8 +53,8 @@ class Renderer {
   /// What of the glass is nearest, at the same samples; as in grids_. Only where the scene has any.
   std::array<SampleGrid, 4> glass_ = grids_;
   bool has_glass_ = false;
-  std::vector<ShownShape> opaque_;  ///< Of placed_, what casts shadows.
-  std::vector<SeenThing> things_;   ///< By id; the first one stands for the background.
+  std::vector<ShownShape> opaque_;           ///< Of placed_, what casts shadows.
+  std::vector<ShadedPrimitive> primitives_;  ///< By id; the first one stands for the background.
   ShadowMap shadows_;
   double near_ = 0;  ///< Nothing nearer to the eye than this is drawn [m].
   // Scratch: the vertices of a surface in K and on the picture, and the corners of a face.

@@ -97,7 +97,7 @@ void SampleGrid::fill(const NearnessPlane& plane, std::uint32_t id) {
   for (int row = 0; row < height_; ++row) fill_row(row, 0, width_, plane, id);
 }
 
-void SampleGrid::fill(const SeenBall& ball, const Projection& projection, std::uint32_t id) {
+void SampleGrid::fill(const ViewSpaceBall& ball, const Projection& projection, std::uint32_t id) {
   const double f = projection.focal_length();
   const Bounds across = outline_bounds(ball.p_K.x(), ball.p_K.z(), ball.radius);
   const Bounds down = outline_bounds(ball.p_K.y(), ball.p_K.z(), ball.radius);

@@ -33,7 +33,7 @@ class Outline {
 };
 
 /// A ball in the camera's frame.
-struct SeenBall {
+struct ViewSpaceBall {
   Vec3 p_K;       ///< Centre [m].
   double radius;  ///< [m]; the eye is outside.
 };
@@ -48,7 +48,7 @@ class SampleGrid {
 
   void clear(int width, int height);
   void fill(const Outline& outline, const NearnessPlane& plane, std::uint32_t id);
-  void fill(const SeenBall& ball, const Projection& projection, std::uint32_t id);
+  void fill(const ViewSpaceBall& ball, const Projection& projection, std::uint32_t id);
   /// A ball seen along parallel lines, as from the sun: center and radius_px in pixels; its nearness is that
   /// of its center and grows by `radius` towards the eye.
   struct ParallelBall {

@@ -31,36 +31,36 @@ float light_share(float a, float b, float pixel) {
   return 0.5F + 0.5F * side_a * side_b * contrast;
 }
 
-float sky_on(const Eigen::Vector3f& normal, const Look& look) {
-  const float upward = 0.5F + 0.5F * normal.dot(look.up_K);
+float sky_on(const Eigen::Vector3f& normal, const Lighting& lighting) {
+  const float upward = 0.5F + 0.5F * normal.dot(lighting.up_K);
   return ground_light + (sky_light - ground_light) * upward;
 }
 
 /// Sunlight on a surface that nothing shades.
-float sun_on(const Eigen::Vector3f& normal, const Look& look) {
-  return sun_light * std::max(0.0F, normal.dot(look.sun_K));
+float sun_on(const Eigen::Vector3f& normal, const Lighting& lighting) {
+  return sun_light * std::max(0.0F, normal.dot(lighting.sun_K));
 }
 
 }  // namespace
 
-void light_flat_things(const Look& look, std::vector<SeenThing>& things) {
-  for (SeenThing& thing : things) {
-    if (!thing.is_flat && thing.kind != SeenThing::Kind::plane) continue;
-    thing.sky = sky_on(thing.normal, look);
-    thing.sun = sun_on(thing.normal, look);
+void light_flat_primitives(const Lighting& lighting, std::vector<ShadedPrimitive>& primitives) {
+  for (ShadedPrimitive& primitive : primitives) {
+    if (!primitive.is_flat && primitive.kind != ShadedPrimitive::Kind::plane) continue;
+    primitive.sky = sky_on(primitive.normal, lighting);
+    primitive.sun = sun_on(primitive.normal, lighting);
   }
 }
 
-Shader::Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
-               const Look& look)
+Shader::Shader(const Projection& projection, const std::vector<ShadedPrimitive>& primitives,
+               const ShadowMap& shadows, const Lighting& lighting)
     : inverse_focal_(static_cast<float>(1 / projection.focal_length())),
       center_x_(static_cast<float>(projection.center_x())),
       center_y_(static_cast<float>(projection.center_y())),
-      checks_per_meter_(1 / look.check_size),
-      inverse_square_fade_(1 / (look.fade_distance * look.fade_distance)),
-      things_(things),
+      checks_per_meter_(1 / lighting.check_size),
+      inverse_square_fade_(1 / (lighting.fade_distance * lighting.fade_distance)),
+      primitives_(primitives),
       shadows_(shadows),
-      look_(look),
+      lighting_(lighting),
       top_(color_from_hex("#dbe6f1")),
       bottom_(color_from_hex("#f7f9fb")),
       srgb_(srgb_table()) {}
@@ -70,11 +70,12 @@ Color Shader::background(float y) const {
   return top_ + share * (bottom_ - top_);
 }
 
-float Shader::light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) const {
-  return thing.sun > 0 ? thing.sky + thing.sun * shadows_.light(p_K, thing.normal) : thing.sky;
+float Shader::light_on_flat(const ShadedPrimitive& primitive, const Eigen::Vector3f& p_K) const {
+  return primitive.sun > 0 ? primitive.sky + primitive.sun * shadows_.light(p_K, primitive.normal)
+                           : primitive.sky;
 }
 
-Color Shader::plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const {
+Color Shader::plane(const ShadedPrimitive& plane, const Eigen::Vector3f& p_K, float y) const {
   const Eigen::Vector3f from = p_K - plane.origin;
   // The footprint of a pixel on the plane grows with the distance and with a flatter view.
   const float pixel =
@@ -86,29 +87,31 @@ Color Shader::plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y)
   return color + (background(y) - color) * std::min(1.0F, far);
 }
 
-Color Shader::curved(const SeenThing& thing, const Eigen::Vector3f& normal,
+Color Shader::curved(const ShadedPrimitive& primitive, const Eigen::Vector3f& normal,
                      const Eigen::Vector3f& p_K) const {
-  const float sky = sky_on(normal, look_);
-  float sun = sun_on(normal, look_);
-  if (sun <= 0) return thing.color * sky;
+  const float sky = sky_on(normal, lighting_);
+  float sun = sun_on(normal, lighting_);
+  if (sun <= 0) return primitive.color * sky;
   sun *= shadows_.light(p_K, normal);
-  const float mirrored = (look_.sun_K - p_K.normalized()).normalized().dot(normal);
+  const float mirrored = (lighting_.sun_K - p_K.normalized()).normalized().dot(normal);
   const float square = mirrored * mirrored, fourth = square * square, eighth = fourth * fourth;
-  return thing.color * (sky + sun) + Color::Constant(highlight * eighth * eighth * eighth * sun);
+  return primitive.color * (sky + sun) + Color::Constant(highlight * eighth * eighth * eighth * sun);
 }
 
 Color Shader::color(std::uint32_t id, float x, float y, float nearness) const {
-  const SeenThing& thing = things_[id];
-  if (thing.kind == SeenThing::Kind::nothing) return background(y);
+  const ShadedPrimitive& primitive = primitives_[id];
+  if (primitive.kind == ShadedPrimitive::Kind::nothing) return background(y);
   // A flat face that is turned away from the sun looks the same everywhere.
-  if (thing.is_flat && thing.sun <= 0) return thing.color * thing.sky;
+  if (primitive.is_flat && primitive.sun <= 0) return primitive.color * primitive.sky;
   const float depth = 1 / nearness, scale = depth * inverse_focal_;
   const Eigen::Vector3f p_K((x - center_x_) * scale, (y - center_y_) * scale, depth);
-  if (thing.kind == SeenThing::Kind::plane) return plane(thing, p_K, y);
-  if (thing.kind == SeenThing::Kind::ball) return curved(thing, (p_K - thing.normal).normalized(), p_K);
-  if (!thing.is_flat)
-    return curved(thing, (thing.normal + thing.along_x * x + thing.along_y * y).normalized(), p_K);
-  return thing.color * light_on_flat(thing, p_K);
+  if (primitive.kind == ShadedPrimitive::Kind::plane) return plane(primitive, p_K, y);
+  if (primitive.kind == ShadedPrimitive::Kind::ball)
+    return curved(primitive, (p_K - primitive.normal).normalized(), p_K);
+  if (!primitive.is_flat)
+    return curved(primitive, (primitive.normal + primitive.along_x * x + primitive.along_y * y).normalized(),
+                  p_K);
+  return primitive.color * light_on_flat(primitive, p_K);
 }
 
 }  // namespace rigor

@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// A thing that a sample can see, with everything its shading needs, in the frame K of the camera.
-struct SeenThing {
+/// A primitive that a sample can see, with everything its shading needs, in the frame K of the camera.
+struct ShadedPrimitive {
   enum class Kind : std::uint8_t { nothing, face, ball, plane };
   Kind kind = Kind::nothing;
   bool is_flat = false;  ///< A face whose normal is the same everywhere.
@@ -20,11 +20,11 @@ struct SeenThing {
   Eigen::Vector3f along_y = Eigen::Vector3f::Zero();
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< Origin of the pattern of a plane.
   float height = 0;                                  ///< Height of the eye above a plane [m].
-  float sky = 0, sun = 0;  ///< Light on flat faces and planes, see light_flat_things().
+  float sky = 0, sun = 0;  ///< Light on flat faces and planes, see light_flat_primitives().
 };
 
 /// Light, background and pattern of a picture.
-struct Look {
+struct Lighting {
   Eigen::Vector3f sun_K;  ///< Unit vector towards the sun.
   Eigen::Vector3f up_K;   ///< Unit vector.
   float check_size;       ///< Side of a square of a plane's pattern [m].
@@ -33,17 +33,17 @@ struct Look {
 
 /// Precomputes the light of the sky and of the unshaded sun on flat faces and planes, which is the same all
 /// over them.
-void light_flat_things(const Look& look, std::vector<SeenThing>& things);
+void light_flat_primitives(const Lighting& lighting, std::vector<ShadedPrimitive>& primitives);
 
-/// Shades the things at a point of the picture: skylight from above, sunlight with its shadows, and a faint
-/// highlight. The squares of planes fade where they are smaller than pixels.
+/// Shades the primitives at a point of the picture: skylight from above, sunlight with its shadows, and a
+/// faint highlight. The squares of planes fade where they are smaller than pixels.
 class Shader {
  public:
-  /// The flat things must have been lit by light_flat_things().
-  Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
-         const Look& look);
+  /// The flat primitives must have been lit by light_flat_primitives().
+  Shader(const Projection& projection, const std::vector<ShadedPrimitive>& primitives,
+         const ShadowMap& shadows, const Lighting& lighting);
 
-  /// Colour of the thing of that id at (x, y) [px].
+  /// Colour of the primitive of that id at (x, y) [px].
   Color color(std::uint32_t id, float x, float y, float nearness) const;
   /// As srgb_byte.
   std::uint8_t srgb(float light) const { return srgb_[light]; }
@@ -51,14 +51,15 @@ class Shader {
  private:
   Color background(float y) const;
   /// Light on a flat face or a plane at p_K.
-  float light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) const;
-  Color plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const;
-  Color curved(const SeenThing& thing, const Eigen::Vector3f& normal, const Eigen::Vector3f& p_K) const;
+  float light_on_flat(const ShadedPrimitive& primitive, const Eigen::Vector3f& p_K) const;
+  Color plane(const ShadedPrimitive& plane, const Eigen::Vector3f& p_K, float y) const;
+  Color curved(const ShadedPrimitive& primitive, const Eigen::Vector3f& normal,
+               const Eigen::Vector3f& p_K) const;
 
   float inverse_focal_, center_x_, center_y_, checks_per_meter_, inverse_square_fade_;
-  const std::vector<SeenThing>& things_;
+  const std::vector<ShadedPrimitive>& primitives_;
   const ShadowMap& shadows_;
-  Look look_;
+  Lighting lighting_;
   Color top_, bottom_;  ///< Colours of the background.
   const SrgbTable& srgb_;
 };

@@ -116,12 +116,12 @@ std::size_t nearest_frame(const Recording& recording, double t) {
   return t - time[at - 1] < time[at] - t ? at - 1 : at;
 }
 
-MotionKeeper::MotionKeeper(const Scene& scene, std::size_t most_bytes)
+MotionRecorder::MotionRecorder(const Scene& scene, std::size_t most_bytes)
     : recording_{scene.model, scene.name, scene.method.contact_tolerance, {}}, most_bytes_(most_bytes) {
   for (const Body& body : scene.model->bodies()) recording_.motion.bodies.push_back(body.name);
 }
 
-void MotionKeeper::write(const TrajectorySample& sample, std::span<const MotionEvent> events) {
+void MotionRecorder::write(const TrajectorySample& sample, std::span<const MotionEvent> events) {
   StoredTrajectory& motion = recording_.motion;
   for (const MotionEvent& event : events) {
     motion.event_time.push_back(event.time);
@@ -140,7 +140,7 @@ void MotionKeeper::write(const TrajectorySample& sample, std::span<const MotionE
   if (motion.time.size() > 2 && motion.time.size() * row * sizeof(double) > most_bytes_) thin_out();
 }
 
-void MotionKeeper::keep(const TrajectorySample& sample) {
+void MotionRecorder::keep(const TrajectorySample& sample) {
   StoredTrajectory& motion = recording_.motion;
   motion.time.push_back(sample.time);
   append(sample.position, motion.position);
@@ -151,7 +151,7 @@ void MotionKeeper::keep(const TrajectorySample& sample) {
   motion.penetration.push_back(sample.penetration);
 }
 
-void MotionKeeper::thin_out() {
+void MotionRecorder::thin_out() {
   StoredTrajectory& motion = recording_.motion;
   const std::size_t n = motion.bodies.size();
   drop_odd_rows(3 * n, motion.position);
@@ -164,7 +164,7 @@ void MotionKeeper::thin_out() {
   stride_ *= 2;
 }
 
-const Recording& MotionKeeper::recording() {
+const Recording& MotionRecorder::recording() {
   if (!last_is_kept_) keep(last_);
   last_is_kept_ = true;
   return recording_;

@@ -33,11 +33,11 @@ std::size_t nearest_frame(const Recording& recording, double t);
 
 /// Keeps a motion in memory while it is being computed. When it grows larger than most_bytes, every second
 /// output time is dropped, and from then on only every second new one is kept.
-class MotionKeeper : public TrajectoryWriter {
+class MotionRecorder : public TrajectoryWriter {
  public:
   static constexpr std::size_t usual_most_bytes = std::size_t{512} << 20;
 
-  explicit MotionKeeper(const Scene& scene, std::size_t most_bytes = usual_most_bytes);
+  explicit MotionRecorder(const Scene& scene, std::size_t most_bytes = usual_most_bytes);
   void write(const TrajectorySample& sample, std::span<const MotionEvent> events) override;
   void close(const Audit&) override {}
   /// The recording so far, always including the last output time.

@@ -8,7 +8,7 @@
 namespace rigor {
 
 /// A truncated HDF5 file: an interrupted copy, or a disk that was full.
-struct CutOffFile {
+struct TruncatedFile {
   Hdf5Handle file;  ///< Open for reading, with zeros in place of the lost part; or not open.
   std::uint64_t present = 0, whole = 0;  ///< Bytes that are present and that the file had; 0 if not known.
 };
@@ -16,7 +16,7 @@ struct CutOffFile {
 /// Opens a file that is shorter than it declares. Some of what can be read from it may be zeros:
 /// intact_rows() tells how much is data. It is not open if the file is not of that kind, or has lost its
 /// first parts too.
-CutOffFile open_cut_off_file(const std::filesystem::path& path);
+TruncatedFile open_truncated_file(const std::filesystem::path& path);
 
 /// Number of rows at the start of a dataset that lie in the first `present` bytes of its file: up to the
 /// first chunk that does not.

@@ -1,4 +1,4 @@
-#include "rigor/io/trajectory/hdf5_cut_off.hpp"
+#include "rigor/io/trajectory/hdf5_truncated.hpp"
 
 #include "rigor/core/index.hpp"
 
@@ -66,8 +66,8 @@ hsize_t present_rows(hid_t dataset, hsize_t row, const std::vector<hsize_t>& chu
 
 }  // namespace
 
-CutOffFile open_cut_off_file(const std::filesystem::path& path) {
-  CutOffFile cut_off;
+TruncatedFile open_truncated_file(const std::filesystem::path& path) {
+  TruncatedFile cut_off;
   // The superblock tells how long the file was when it was whole.
   std::string bytes = bytes_of(path);
   cut_off.whole = end_of_file_address(bytes);
