@@ -82,14 +82,14 @@ JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures
 /// The rotations that the type holds, about the axes of F.
 void add_rotations(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
   switch (joint_traits(joint.type).held_rotation) {
-    case HeldRotation::none:
+    case LockedRotation::none:
       return;
-    case HeldRotation::all:
+    case LockedRotation::all:
       for (int k = 0; k < 3; ++k) add_row(joint, whole_rotation(measures, k), rows);
       return;
-    case HeldRotation::swing:
+    case LockedRotation::swing:
       return add_swing(joint, measures, rows);
-    case HeldRotation::middle_angle:
+    case LockedRotation::middle_angle:
       return add_row(joint, middle_angle(measures), rows);
   }
 }

@@ -9,7 +9,7 @@ namespace {
 
 bool takes_effort(const JointTraits& traits, int coordinate) {
   const bool has_parallel_axes =
-      traits.held_rotation == HeldRotation::swing || traits.held_rotation == HeldRotation::all;
+      traits.held_rotation == LockedRotation::swing || traits.held_rotation == LockedRotation::all;
   const bool is_in_line = traits.holds_displacement[0] && traits.holds_displacement[1];
   const CoordinateType type = traits.coordinate_list[at(coordinate)];
   return has_parallel_axes &&

@@ -27,7 +27,7 @@ enum class JointType {
 constexpr JointType last_joint_type = JointType::point_on_line;
 
 /// Which rotations from F to K a joint holds at zero.
-enum class HeldRotation {
+enum class LockedRotation {
   none,
   all,
   swing,         ///< Two rows: z of K stays parallel to z of F.
@@ -91,7 +91,7 @@ struct JointTraits {
   const char* name;                          ///< In scene files: "hinge".
   const char* title;                         ///< With its article, for messages: "a hinge".
   std::array<bool, 3> holds_displacement{};  ///< From F to K along x, y, z of F.
-  HeldRotation held_rotation = HeldRotation::none;
+  LockedRotation held_rotation = LockedRotation::none;
   JointRelation relation = JointRelation::none;
   JointParameter parameter{};  ///< Of the relation: Joint::parameter.
   int coordinate_count = 0;
@@ -115,7 +115,7 @@ inline constexpr std::array joint_table{
                 .name = "fixed",
                 .title = "a fixed joint",
                 .holds_displacement = {true, true, true},
-                .held_rotation = HeldRotation::all,
+                .held_rotation = LockedRotation::all,
                 .anchors = JointAnchors::optional,
                 .drawing = JointDrawing::rods},
     JointTraits{.type = JointType::ball,
@@ -128,7 +128,7 @@ inline constexpr std::array joint_table{
                 .name = "hinge",
                 .title = "a hinge",
                 .holds_displacement = {true, true, true},
-                .held_rotation = HeldRotation::swing,
+                .held_rotation = LockedRotation::swing,
                 .coordinate_count = 1,
                 .coordinate_list = {CoordinateType::twist},
                 .axes = JointAxes::z},
@@ -136,7 +136,7 @@ inline constexpr std::array joint_table{
                 .name = "slider",
                 .title = "a slider",
                 .holds_displacement = {true, true, false},
-                .held_rotation = HeldRotation::all,
+                .held_rotation = LockedRotation::all,
                 .coordinate_count = 1,
                 .coordinate_list = {CoordinateType::displacement_z},
                 .anchors = JointAnchors::optional,
@@ -145,7 +145,7 @@ inline constexpr std::array joint_table{
                 .name = "universal",
                 .title = "a universal joint",
                 .holds_displacement = {true, true, true},
-                .held_rotation = HeldRotation::middle_angle,
+                .held_rotation = LockedRotation::middle_angle,
                 .coordinate_count = 2,
                 .coordinate_list = {CoordinateType::angle_on_A, CoordinateType::angle_on_B},
                 .coordinates_text = "angle on A, angle on B",
@@ -154,7 +154,7 @@ inline constexpr std::array joint_table{
                 .name = "cylindrical",
                 .title = "a cylindrical joint",
                 .holds_displacement = {true, true, false},
-                .held_rotation = HeldRotation::swing,
+                .held_rotation = LockedRotation::swing,
                 .coordinate_count = 2,
                 .coordinate_list = {CoordinateType::displacement_z, CoordinateType::twist},
                 .coordinates_text = "displacement, angle",
@@ -163,7 +163,7 @@ inline constexpr std::array joint_table{
                 .name = "planar",
                 .title = "a planar joint",
                 .holds_displacement = {false, false, true},
-                .held_rotation = HeldRotation::swing,
+                .held_rotation = LockedRotation::swing,
                 .coordinate_count = 3,
                 .coordinate_list = {CoordinateType::displacement_x, CoordinateType::displacement_y,
                                     CoordinateType::twist},
@@ -183,7 +183,7 @@ inline constexpr std::array joint_table{
         .name = "screw",
         .title = "a screw",
         .holds_displacement = {true, true, false},
-        .held_rotation = HeldRotation::swing,
+        .held_rotation = LockedRotation::swing,
         .relation = JointRelation::screw,
         .parameter = {.key = "pitch",
                       .unit = "m",
@@ -277,15 +277,15 @@ constexpr int held_row_count(JointType type) {
   int count = 0;
   for (const bool is_held : traits.holds_displacement) count += is_held ? 1 : 0;
   switch (traits.held_rotation) {
-    case HeldRotation::none:
+    case LockedRotation::none:
       break;
-    case HeldRotation::all:
+    case LockedRotation::all:
       count += 3;
       break;
-    case HeldRotation::swing:
+    case LockedRotation::swing:
       count += 2;
       break;
-    case HeldRotation::middle_angle:
+    case LockedRotation::middle_angle:
       count += 1;
       break;
   }

@@ -214,7 +214,7 @@ TEST_P(JointTypes, NewtonsMethodOnTheRowsEndsOnTheRightBranch) {
     const JointType type = GetParam();
     if (type == JointType::fixed || type == JointType::slider) {
       EXPECT_LE((R_FK - Mat3::Identity()).norm(), 1e-11);
-    } else if (joint_traits(type).held_rotation == HeldRotation::swing) {
+    } else if (joint_traits(type).held_rotation == LockedRotation::swing) {
       EXPECT_NEAR(R_FK(2, 2), 1, 1e-11);
     }
   }

@@ -80,9 +80,9 @@ TEST(FeatureGraph, HalfEdgesSpokesAndLoopsClose) {
     for (int k = graph.first_of_vertex(v); k < graph.first_of_vertex(v + 1); ++k) {
       const int next = k + 1 < graph.first_of_vertex(v + 1) ? k + 1 : graph.first_of_vertex(v);
       const FeatureGraph::HalfEdge& edge =
-          graph.half_edge(graph.spokes[static_cast<std::size_t>(k)].half_edge);
+          graph.half_edge(graph.outgoing[static_cast<std::size_t>(k)].half_edge);
       const FeatureGraph::HalfEdge& after =
-          graph.half_edge(graph.spokes[static_cast<std::size_t>(next)].half_edge);
+          graph.half_edge(graph.outgoing[static_cast<std::size_t>(next)].half_edge);
       EXPECT_EQ(edge.from, v);
       EXPECT_EQ(graph.half_edge(after.twin).face, edge.face);  // Neighbours around v share a face.
     }

@@ -73,18 +73,18 @@ RIGOR_FLOAT_LANES void joint_residuals(const JointLanes& joint, const JointPose&
     if constexpr (traits.holds_displacement[2]) g[k++] = dot(pose.d, pose.z);
   }
   // Rotations.
-  if constexpr (traits.held_rotation == HeldRotation::all) {
+  if constexpr (traits.held_rotation == LockedRotation::all) {
     g[k++] = 2.0F * pose.JK.v.x;
     g[k++] = 2.0F * pose.JK.v.y;
     g[k++] = 2.0F * pose.JK.v.z;
-  } else if constexpr (traits.held_rotation == HeldRotation::swing) {
+  } else if constexpr (traits.held_rotation == LockedRotation::swing) {
     const FloatVec3 z_K = axis_of(pose.JK, 2);
     g[k++] = -z_K.y;
     g[k++] = z_K.x;
-  } else if constexpr (traits.held_rotation == HeldRotation::middle_angle) {
+  } else if constexpr (traits.held_rotation == LockedRotation::middle_angle) {
     g[k++] = axis_of(pose.JK, 0).z;
   } else {
-    static_assert(traits.held_rotation == HeldRotation::none, "a rotation that no lanes hold");
+    static_assert(traits.held_rotation == LockedRotation::none, "a rotation that no lanes hold");
   }
   // The relation.
   if constexpr (traits.relation == JointRelation::screw) {
@@ -109,12 +109,13 @@ RIGOR_FLOAT_LANES void add_held_rows(const JointPose& pose, JointRowWriter& rows
     if constexpr (traits.holds_displacement[2]) rows.add_displacement(pose, pose.z);
   }
   // Rotations.
-  if constexpr (traits.held_rotation == HeldRotation::all || traits.held_rotation == HeldRotation::swing) {
+  if constexpr (traits.held_rotation == LockedRotation::all ||
+                traits.held_rotation == LockedRotation::swing) {
     rows.add_rotation(pose.x);
     rows.add_rotation(pose.y);
   }
-  if constexpr (traits.held_rotation == HeldRotation::all) rows.add_rotation(pose.z);
-  if constexpr (traits.held_rotation == HeldRotation::middle_angle) {
+  if constexpr (traits.held_rotation == LockedRotation::all) rows.add_rotation(pose.z);
+  if constexpr (traits.held_rotation == LockedRotation::middle_angle) {
     rows.add_rotation(cross(rotate(pose.J, axis_of(pose.JK, 0)), pose.z));
   }
   // The relation.

@@ -43,15 +43,15 @@ Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
 /// The angle of what the joint holds of the rotation [rad].
 double held_angle(JointType type, const Mat3& R_FK) {
   switch (joint_traits(type).held_rotation) {
-    case HeldRotation::none:
+    case LockedRotation::none:
       break;
-    case HeldRotation::all:
+    case LockedRotation::all:
       // The whole angle.
       return rotation_log(quaternion_of(R_FK)).norm();
-    case HeldRotation::swing:
+    case LockedRotation::swing:
       // The angle between the two axes z.
       return std::atan2(std::hypot(R_FK(0, 2), R_FK(1, 2)), R_FK(2, 2));
-    case HeldRotation::middle_angle:
+    case LockedRotation::middle_angle:
       // By how much z of F and x of K are not perpendicular.
       return std::abs(std::asin(std::min(1.0, std::max(-1.0, R_FK(2, 0)))));
   }

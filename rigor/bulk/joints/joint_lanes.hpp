@@ -123,7 +123,7 @@ struct JointBlock {
 constexpr bool needs_frames(JointType type, bool has_laws) {
   const JointTraits& traits = joint_traits(type);
   if (traits.relation == JointRelation::distance) return false;
-  return has_laws || !traits.holds_point() || traits.held_rotation != HeldRotation::none ||
+  return has_laws || !traits.holds_point() || traits.held_rotation != LockedRotation::none ||
          traits.relation != JointRelation::none;
 }
 

@@ -233,7 +233,7 @@ std::optional<SeparatingAxis> settle_by_steps(PlacedPolytopes& pair, const BallB
     if (code_of(axis) != tried)
       if (auto settled = settle(pair, bound, axis)) return settled;
     // The best pair of the edges around them, if it is better than that face.
-    try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
+    try_edge_lists(pair, pair.a.hull->edges_around(around.on_A), pair.b.hull->edges_around(around.on_B),
                    axis.separation + pair.rounding, axis);
     if (axis.kind == SeparatingAxis::Kind::none) break;
     // What it separates the cores by is a lower bound for the whole search. A second visit to the same axis

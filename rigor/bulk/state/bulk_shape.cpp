@@ -29,15 +29,15 @@ void pad_columns(FloatHull& hull) {
     pad(*column);
 }
 
-void add_spokes(FloatHull& hull) {
-  hull.spoke_begin.clear();
-  hull.spokes.clear();
+void add_edges_around(FloatHull& hull) {
+  hull.around_begin.clear();
+  hull.around.clear();
   for (int v = 0; v < hull.vertex_count; ++v) {
-    hull.spoke_begin.push_back(static_cast<int>(hull.spokes.size()));
+    hull.around_begin.push_back(static_cast<int>(hull.around.size()));
     for (std::size_t e = 0; e < hull.edges.size(); ++e)
-      if (hull.edges[e].v0 == v || hull.edges[e].v1 == v) hull.spokes.push_back(static_cast<int>(e));
+      if (hull.edges[e].v0 == v || hull.edges[e].v1 == v) hull.around.push_back(static_cast<int>(e));
   }
-  hull.spoke_begin.push_back(static_cast<int>(hull.spokes.size()));
+  hull.around_begin.push_back(static_cast<int>(hull.around.size()));
 }
 
 /// A hull without faces and with one edge between its first and its last vertex.
@@ -47,7 +47,7 @@ FloatHull make_line(const std::vector<Vec3>& vertices) {
   hull.edges.push_back({0, hull.vertex_count - 1, -1, -1});
   hull.loop_begin.push_back(0);
   hull.fan_begin.assign(vertices.size() + 1, 0);
-  add_spokes(hull);
+  add_edges_around(hull);
   pad_columns(hull);
   return hull;
 }
@@ -130,7 +130,7 @@ void number_box_edges(FloatHull& hull) {
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
   for (int& e : hull.sharp_edges) e = number[at(e)];
-  add_spokes(hull);
+  add_edges_around(hull);
   add_arcs(hull);
 }
 
@@ -144,7 +144,7 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
   center /= static_cast<double>(vertices.size());
   add_faces(graph, hull);
   add_fans(hull);
-  add_spokes(hull);
+  add_edges_around(hull);
   // Planes of the faces; the ball reaches to the nearest of them.
   double inner = hull.extent;
   for (int f = 0; f < hull.face_count; ++f) {

@@ -41,20 +41,20 @@ struct FloatHull {
     float pad[4];
   };
   int vertex_count = 0, face_count = 0;
-  std::vector<float> x, y, z;            ///< Vertices [m].
-  std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
-  std::vector<float> offset;             ///< Offsets of the faces: n · v of their vertices [m].
-  std::vector<char> is_lone;             ///< Whether no other normal is within 0.02 rad of a face's.
-  std::vector<Edge> edges;               ///< Each edge once.
-  std::vector<int> sharp_edges;          ///< Edges between faces whose normals are at an obtuse angle.
-  std::vector<ArcRecord> arcs;           ///< Arcs of the edges; none without faces.
-  std::vector<int> loop_begin;           ///< Beginning of each face's loop, and the end of the last.
-  std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
-  std::vector<int> fan_begin, fan;       ///< The faces around each vertex.
-  std::vector<int> spoke_begin, spokes;  ///< The edges around each vertex.
-  Vec3f center = Vec3f::Zero();          ///< Centre of a ball inside [m].
-  float inner = 0;                       ///< Radius of that ball [m].
-  float extent = 0;                      ///< No vertex is farther from the origin [m].
+  std::vector<float> x, y, z;             ///< Vertices [m].
+  std::vector<float> nx, ny, nz;          ///< Outward unit normals of the faces.
+  std::vector<float> offset;              ///< Offsets of the faces: n · v of their vertices [m].
+  std::vector<char> is_lone;              ///< Whether no other normal is within 0.02 rad of a face's.
+  std::vector<Edge> edges;                ///< Each edge once.
+  std::vector<int> sharp_edges;           ///< Edges between faces whose normals are at an obtuse angle.
+  std::vector<ArcRecord> arcs;            ///< Arcs of the edges; none without faces.
+  std::vector<int> loop_begin;            ///< Beginning of each face's loop, and the end of the last.
+  std::vector<int> loop, loop_edges;      ///< Vertices counter-clockwise, and the edge to the next one.
+  std::vector<int> fan_begin, fan;        ///< The faces around each vertex.
+  std::vector<int> around_begin, around;  ///< The edges around each vertex.
+  Vec3f center = Vec3f::Zero();           ///< Centre of a ball inside [m].
+  float inner = 0;                        ///< Radius of that ball [m].
+  float extent = 0;                       ///< No vertex is farther from the origin [m].
 
   LaneColumns vertices() const { return {x.data(), y.data(), z.data(), x.size()}; }
   LaneColumns normals() const { return {nx.data(), ny.data(), nz.data(), nx.size()}; }
@@ -69,7 +69,7 @@ struct FloatHull {
   std::span<const int> border_vertices(int face) const { return part(loop, loop_begin, face); }
   std::span<const int> border_edges(int face) const { return part(loop_edges, loop_begin, face); }
   std::span<const int> faces_around(int vertex) const { return part(fan, fan_begin, vertex); }
-  std::span<const int> spokes_of(int vertex) const { return part(spokes, spoke_begin, vertex); }
+  std::span<const int> edges_around(int vertex) const { return part(around, around_begin, vertex); }
 
  private:
   static std::span<const int> part(const std::vector<int>& all, const std::vector<int>& begin, int i) {

@@ -9,12 +9,12 @@ namespace rigor {
 namespace {
 
 /// A node that is still to be examined, or an item beside the tree.
-struct Waiting {
+struct PendingNode {
   double bound;
   int id;  ///< Id of the item; -1 for an inner node, which comes before items with the same bound.
   int node;
 
-  bool operator>(const Waiting& other) const {
+  bool operator>(const PendingNode& other) const {
     return std::tie(bound, id, node) > std::tie(other.bound, other.id, other.node);
   }
 };
@@ -25,7 +25,7 @@ void AabbTree::search(const std::function<double(const Aabb&)>& bound,
                       const std::function<double(int)>& visit) const {
   constexpr double never = std::numeric_limits<double>::infinity();
   double limit = never;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  std::priority_queue<PendingNode, std::vector<PendingNode>, std::greater<>> waiting;
   const auto push = [&](const Aabb& box, int id, int node) {
     const double least = bound(box);
     if (least < never && least <= limit) waiting.push({least, id, node});
@@ -38,7 +38,7 @@ void AabbTree::search(const std::function<double(const Aabb&)>& bound,
   // Best first: when an item is at the top, no box that is left can have a smaller bound. Inner nodes come
   // before items of the same bound, so that all of these are known before the first is visited.
   while (!waiting.empty() && waiting.top().bound <= limit) {
-    const Waiting next = waiting.top();
+    const PendingNode next = waiting.top();
     waiting.pop();
     if (next.id >= 0) {
       limit = visit(next.id);

@@ -24,8 +24,8 @@ int face_along(const FeatureGraph& graph, const Vec3& d) {
 /// The edge at a corner that is parallel to the axis.
 int edge_along(const FeatureGraph& graph, int corner, int axis) {
   for (int k = graph.first_of_vertex(corner); k < graph.first_of_vertex(corner + 1); ++k) {
-    const FeatureGraph::Spoke& spoke = graph.spokes[at(k)];
-    if (spoke.direction[axis] != 0) return spoke.half_edge;
+    const FeatureGraph::OutgoingEdge& outgoing = graph.outgoing[at(k)];
+    if (outgoing.direction[axis] != 0) return outgoing.half_edge;
   }
   return -1;
 }

@@ -8,7 +8,7 @@ namespace rigor {
 namespace {
 
 using HalfEdge = FeatureGraph::HalfEdge;
-using Spoke = FeatureGraph::Spoke;
+using OutgoingEdge = FeatureGraph::OutgoingEdge;
 using Outcome = FeatureWalk::Outcome;
 using Kind = PolytopeFeature::Kind;
 
@@ -84,18 +84,18 @@ class Walk {
   }
 
   /// The edge at vertex v of side s with the largest slope along d (in the frame of s).
-  Violation steepest_spoke(int s, int v, const Vec3& d) const {
+  Violation steepest_edge(int s, int v, const Vec3& d) const {
     const FeatureGraph& graph = pair_.graph(s);
     Violation worst;
     const int last = graph.first_of_vertex(v + 1);
     for (int k = graph.first_of_vertex(v); k < last; ++k) {
-      const double slope = graph.spokes[static_cast<std::size_t>(k)].direction.dot(d);
+      const double slope = graph.outgoing[static_cast<std::size_t>(k)].direction.dot(d);
       if (slope > worst.amount) worst = {slope, k};
     }
     return worst;
   }
-  bool go_along_spoke(int s, int spoke) {
-    return go(s, Kind::edge, pair_.graph(s).spokes[static_cast<std::size_t>(spoke)].half_edge);
+  bool go_along_edge(int s, int outgoing) {
+    return go(s, Kind::edge, pair_.graph(s).outgoing[static_cast<std::size_t>(outgoing)].half_edge);
   }
   /// The separation lost, over the whole of side s, by a violation [m] of a difference of the given length.
   double cost(int s, double violation, double length) const {
@@ -108,10 +108,10 @@ class Walk {
     const Vec3& a = vertex(0, feature_[0].index);
     const Vec3 b = pair_.vertex(1, feature_[1].index);
     const Vec3 c = b - a;
-    const Violation of_a = steepest_spoke(0, feature_[0].index, c);
-    if (of_a.amount > rounding_) return go_along_spoke(0, of_a.index);
-    const Violation of_b = steepest_spoke(1, feature_[1].index, -pair_.direction_from_a(1, c));
-    if (of_b.amount > rounding_) return go_along_spoke(1, of_b.index);
+    const Violation of_a = steepest_edge(0, feature_[0].index, c);
+    if (of_a.amount > rounding_) return go_along_edge(0, of_a.index);
+    const Violation of_b = steepest_edge(1, feature_[1].index, -pair_.direction_from_a(1, c));
+    if (of_b.amount > rounding_) return go_along_edge(1, of_b.index);
     const double length = c.norm();
     if (length <= rounding_) return end(Outcome::overlapping);
     result_.a = a;
@@ -143,8 +143,8 @@ class Walk {
       return face >= 0 ? go(t, Kind::face, face) : enter(s, x, x - c);
     }
     // The vertex gives way to an edge of its own along which side s comes nearer.
-    const Violation of_v = steepest_spoke(s, v, -pair_.direction_to_other(t, c));
-    if (of_v.amount > rounding_) return go_along_spoke(s, of_v.index);
+    const Violation of_v = steepest_edge(s, v, -pair_.direction_to_other(t, c));
+    if (of_v.amount > rounding_) return go_along_edge(s, of_v.index);
     const double length = c.norm();
     if (length <= rounding_) return end(Outcome::overlapping);
     set_points(s, x, x - c);
@@ -213,9 +213,9 @@ class Walk {
     if (std::abs(height) <= rounding_) return end(Outcome::overlapping);
     if (height < 0) return enter(s, x, x - height * normal);
     // An edge of the vertex that goes down towards the face is followed to where it leaves the face's prism.
-    const Violation of_v = steepest_spoke(s, v, -pair_.direction_to_other(t, normal));
+    const Violation of_v = steepest_edge(s, v, -pair_.direction_to_other(t, normal));
     if (of_v.amount > kLevelCosine) {
-      go_along_spoke(s, of_v.index);
+      go_along_edge(s, of_v.index);
       const HalfEdge& edge = half_edge(s, feature_[s].index);
       return clip_edge(s, f, x, {edge.to, pair_.direction_to_other(s, edge.direction)});
     }

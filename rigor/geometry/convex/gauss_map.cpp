@@ -33,14 +33,14 @@ Crossing first_crossing(const FeatureGraph& graph, int v, const Vec3& u0, const 
   Crossing first;
   const int last = graph.first_of_vertex(v + 1);
   for (int k = graph.first_of_vertex(v); k < last; ++k) {
-    const FeatureGraph::Spoke& spoke = graph.spokes[at(k)];
+    const FeatureGraph::OutgoingEdge& outgoing = graph.outgoing[at(k)];
     // Inside the region every edge from v points downward along u. The arc of an edge is crossed where its
     // slope becomes zero; a slope that begins above zero, by rounding, is crossed at once.
-    const double at_end = spoke.direction.dot(u1);
-    if (at_end <= kLevelCosine || spoke.half_edge == skipped) continue;
-    const double at_start = std::min(0.0, spoke.direction.dot(u0));
+    const double at_end = outgoing.direction.dot(u1);
+    if (at_end <= kLevelCosine || outgoing.half_edge == skipped) continue;
+    const double at_start = std::min(0.0, outgoing.direction.dot(u0));
     const double t = -at_start / (at_end - at_start);
-    if (t < first.t) first = {spoke.half_edge, t};
+    if (t < first.t) first = {outgoing.half_edge, t};
   }
   return first;
 }
@@ -293,8 +293,8 @@ FeaturePair face_uphill(const PolytopePair& pair, const Vec3& n, const std::arra
   // Without a crossing, as where c is along n, any face at A's vertex is a start.
   if (crossing[t].half_edge < 0) {
     const FeatureGraph& graph_a = pair.graph(0);
-    const std::size_t spoke = at(graph_a.first_of_vertex(vertex[0]));
-    const int face = graph_a.half_edge(graph_a.spokes[spoke].half_edge).face;
+    const std::size_t outgoing = at(graph_a.first_of_vertex(vertex[0]));
+    const int face = graph_a.half_edge(graph_a.outgoing[outgoing].half_edge).face;
     return {{Kind::face, face}, {Kind::vertex, vertex[1]}};
   }
   const Vec3 here = (1 - crossing[t].t) * n + crossing[t].t * uphill;

@@ -38,7 +38,7 @@ int Polytope::climb(const Vec3& d, int start, double& height) const {
     // The highest neighbour, if it is higher than the vertex itself.
     const int end = graph.first_of_vertex(here + 1);
     for (int k = graph.first_of_vertex(here); k < end; ++k) {
-      const int v = graph.spokes[at(k)].to;
+      const int v = graph.outgoing[at(k)].to;
       const double h = d.dot(vertex(v));
       if (h > height) {
         height = h;

@@ -68,7 +68,7 @@ struct ActivePieces {
 };
 
 /// The condition that two pieces of one core are at the same height along n.
-struct Tie {
+struct ActiveConstraint {
   Vec3 u;        ///< The piece adds weight · u to b - a; the condition is u·n = 0 [m].
   Vec2 tangent;  ///< u in the tangent plane.
   bool in_a;
@@ -181,21 +181,21 @@ class Polish {
 
   /// Collects the conditions of equal height, at most two, that are independent in the tangent plane. The
   /// pieces are visited from the heaviest down.
-  void find_ties(const Tangents& tangents) {
-    tie_count_ = 0;
+  void find_constraints(const Tangents& tangents) {
+    constraint_count_ = 0;
     for (const bool in_a : {true, false}) {
       const ActivePieces& side = in_a ? a_ : b_;
-      for (std::size_t i = 1; i < at(side.count) && tie_count_ < 2; ++i) {
+      for (std::size_t i = 1; i < at(side.count) && constraint_count_ < 2; ++i) {
         // Each further piece of a core must stay level with the heaviest one. A condition that depends on the
         // first to rounding would leave the system singular.
         const Vec3 u = (in_a ? -1 : 1) * (side.point[i] - side.point[0]);
         const Vec2 tangent = tangents.transpose() * u;
-        const Vec2& first = ties_[0].tangent;
-        const bool is_independent = tie_count_ == 0
+        const Vec2& first = constraints_[0].tangent;
+        const bool is_independent = constraint_count_ == 0
                                         ? tangent.norm() > 1e-9 * u.norm()
                                         : std::abs(first.x() * tangent.y() - first.y() * tangent.x()) >
                                               1e-7 * first.norm() * tangent.norm();
-        if (is_independent) ties_[at(tie_count_++)] = {u, tangent, in_a, i};
+        if (is_independent) constraints_[at(constraint_count_++)] = {u, tangent, in_a, i};
       }
     }
   }
@@ -210,10 +210,10 @@ class Polish {
     const Vec2 r = tangents.transpose() * c;
     const Mat2 K = curvature(n, tangents, n.dot(c));
     // The tangent plane has two dimensions, of which every condition of equal height takes one.
-    find_ties(tangents);
-    const std::optional<Vec2> step = tie_count_ == 0   ? free_step(K, r)
-                                     : tie_count_ == 1 ? step_along_tie(n, K, r)
-                                                       : step_to_ties(n, K, r);
+    find_constraints(tangents);
+    const std::optional<Vec2> step = constraint_count_ == 0   ? free_step(K, r)
+                                     : constraint_count_ == 1 ? step_along_constraint(n, K, r)
+                                                              : step_to_constraints(n, K, r);
     if (!step) return std::nullopt;
     set_weights();
     return tangents * *step;
@@ -245,27 +245,27 @@ class Polish {
 
   /// One condition: it fixes the step along its tangent g; across g Newton's step applies. The multiplier
   /// makes the gradient of s vanish along g.
-  std::optional<Vec2> step_along_tie(const Vec3& n, const Mat2& K, const Vec2& r) {
-    const Vec2 g = ties_[0].tangent;
+  std::optional<Vec2> step_along_constraint(const Vec3& n, const Mat2& K, const Vec2& r) {
+    const Vec2 g = constraints_[0].tangent;
     const Vec2 q = Vec2(-g.y(), g.x()) / g.norm();
-    const Vec2 levelled = -n.dot(ties_[0].u) / g.squaredNorm() * g;
+    const Vec2 levelled = -n.dot(constraints_[0].u) / g.squaredNorm() * g;
     const std::optional<double> across = step_of(q.dot(r - K * levelled), q.dot(K * q));
     if (!across) return std::nullopt;
     const Vec2 step = levelled + *across * q;
-    ties_[0].multiplier = g.dot(K * step - r) / g.squaredNorm();
+    constraints_[0].multiplier = g.dot(K * step - r) / g.squaredNorm();
     return step;
   }
 
   /// Two conditions leave no freedom to maximize s.
-  std::optional<Vec2> step_to_ties(const Vec3& n, const Mat2& K, const Vec2& r) {
+  std::optional<Vec2> step_to_constraints(const Vec3& n, const Mat2& K, const Vec2& r) {
     // The linearised conditions alone fix the step, the stationarity of s the two multipliers.
     Mat2 G;
-    G << ties_[0].tangent.transpose(), ties_[1].tangent.transpose();
+    G << constraints_[0].tangent.transpose(), constraints_[1].tangent.transpose();
     const Mat2 inverse = G.inverse();
-    const Vec2 step = -inverse * Vec2(n.dot(ties_[0].u), n.dot(ties_[1].u));
+    const Vec2 step = -inverse * Vec2(n.dot(constraints_[0].u), n.dot(constraints_[1].u));
     const Vec2 multipliers = inverse.transpose() * (K * step - r);
-    ties_[0].multiplier = multipliers.x();
-    ties_[1].multiplier = multipliers.y();
+    constraints_[0].multiplier = multipliers.x();
+    constraints_[1].multiplier = multipliers.y();
     return step;
   }
 
@@ -273,12 +273,12 @@ class Polish {
   void set_weights() {
     a_.weight = {1};
     b_.weight = {1};
-    for (std::size_t i = 0; i < at(tie_count_); ++i) {
-      const Tie& tie = ties_[i];
-      ActivePieces& side = tie.in_a ? a_ : b_;
+    for (std::size_t i = 0; i < at(constraint_count_); ++i) {
+      const ActiveConstraint& constraint = constraints_[i];
+      ActivePieces& side = constraint.in_a ? a_ : b_;
       // The weights of each core sum to 1.
-      side.weight[tie.index] = tie.multiplier;
-      side.weight[0] -= tie.multiplier;
+      side.weight[constraint.index] = constraint.multiplier;
+      side.weight[0] -= constraint.multiplier;
     }
   }
 
@@ -310,8 +310,8 @@ class Polish {
   const CorePair& pair_;
   ActivePieces a_;
   ActivePieces b_;
-  std::array<Tie, 2> ties_{};
-  int tie_count_ = 0;
+  std::array<ActiveConstraint, 2> constraints_{};
+  int constraint_count_ = 0;
 };
 
 }  // namespace

@@ -74,9 +74,9 @@ std::vector<PiecePair> near_pairs(const PlacedPieces& a, const PlacedPieces& b, 
 }
 
 /// Looks for a translation of B that parts the solids.
-class WayOut {
+class TranslationSearch {
  public:
-  WayOut(const PlacedPieces& a, const PlacedPieces& b, double rounding)
+  TranslationSearch(const PlacedPieces& a, const PlacedPieces& b, double rounding)
       : a_(a), b_(b), rounding_(rounding), box_B_(whole_box(b)) {}
 
   /// Length of a translation of B along n after which no piece of it overlaps one of A; `limit` if none
@@ -208,13 +208,13 @@ DistanceResult pieces_distance(const PlacedPieces& a, const PlacedPieces& b, con
   if (overlaps.empty() || a.shapes.size() * b.shapes.size() == 1) return best;
 
   // Several pieces that overlap may take more to part than the deepest of them alone.
-  const WayOut way_out(a, b, rounding);
+  const TranslationSearch search(a, b, rounding);
   std::vector<Vec3> directions = distinct_normals(std::move(overlaps));
-  directions.push_back(way_out.step_by_step().stableNormalized());
+  directions.push_back(search.step_by_step().stableNormalized());
   if (known != nullptr) directions.push_back(known->n_W);
   double shortest = kInfinity;
   for (const Vec3& n : directions) {
-    if (n.squaredNorm() > 0.5) shortest = way_out.length(n, shortest);
+    if (n.squaredNorm() > 0.5) shortest = search.length(n, shortest);
   }
   // A deeper overlap that is known stands.
   if (known != nullptr && known->upper < best.distance) best = *known;

@@ -17,16 +17,16 @@ namespace rigor {
 namespace {
 
 /// The shortest translation that separates two triangles that meet.
-struct WayOut {
+struct SeparatingTranslation {
   double depth = std::numeric_limits<double>::infinity();  ///< ≥ 0 [m].
   Vec3 n_A;                                                ///< Direction in which B moves, unit.
   Vec3 p_AP;                                               ///< The point of A that loses contact last.
 };
 
 /// The separating translations of pairs of triangles of two meshes, both in the frame of A.
-class WaysOut {
+class SeparatingTranslations {
  public:
-  WaysOut(const Mesh& a, const Mesh& b, const Pose& X_AB, double rounding)
+  SeparatingTranslations(const Mesh& a, const Mesh& b, const Pose& X_AB, double rounding)
       : a_(a, X_AA_, rounding), b_(b, X_AB, rounding), pairs_(find_meeting_triangles(a, b, X_AB)) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto [t, u] = pairs_[i];
@@ -35,11 +35,11 @@ class WaysOut {
     }
   }
 
-  WayOut deepest() const {
-    WayOut deepest{-1, Vec3::UnitZ(), Vec3::Zero()};
+  SeparatingTranslation deepest() const {
+    SeparatingTranslation deepest{-1, Vec3::UnitZ(), Vec3::Zero()};
     for (const auto& [t, u] : pairs_) {
-      const WayOut way = way_out(t, u);
-      if (way.depth > deepest.depth) deepest = way;
+      const SeparatingTranslation translation = separating_translation(t, u);
+      if (translation.depth > deepest.depth) deepest = translation;
     }
     deepest.depth = std::max(deepest.depth, 0.0);
     return deepest;
@@ -48,7 +48,7 @@ class WaysOut {
  private:
   /// The shortest translation along the directions of the pair and of those pairs that share a vertex of both
   /// meshes with it. Near an edge the right direction is often that of a neighbouring pair.
-  WayOut way_out(int t, int u) const {
+  SeparatingTranslation separating_translation(int t, int u) const {
     std::set<std::size_t> near;
     for (int k = 0; k < 9; ++k) {
       const auto& others = neighbours_.at({a_.vertex_of(t, k / 3), b_.vertex_of(u, k % 3)});
@@ -56,7 +56,7 @@ class WaysOut {
     }
     const TriangleCorners a = {a_.corner(t, 0), a_.corner(t, 1), a_.corner(t, 2)};
     const TriangleCorners b = {b_.corner(u, 0), b_.corner(u, 1), b_.corner(u, 2)};
-    WayOut best;
+    SeparatingTranslation best;
     for (const std::size_t other : near) {
       for (const Direction& direction : directions_[other]) consider(direction, a, b, best);
     }
@@ -71,7 +71,7 @@ class WaysOut {
   };
 
   void consider(const Direction& direction, const TriangleCorners& a, const TriangleCorners& b,
-                WayOut& best) const {
+                SeparatingTranslation& best) const {
     // The triangles are separated along n when the lowest corner of B is past the highest one of A.
     const Vec3& n = direction.n;
     const auto lower = [&n](const Vec3& p, const Vec3& q) { return n.dot(p) < n.dot(q); };
@@ -142,7 +142,7 @@ DistanceResult overlap_distance(const Mesh& a, const Pose& X_WA, const Mesh& b, 
   const Pose X_AB = relative_pose(X_WA, X_WB);
   const double rounding = rounding_of(a, b, X_AB);
   // The measure of the overlap: the deepest of the pairs that meet.
-  const WayOut deepest = WaysOut(a, b, X_AB, rounding).deepest();
+  const SeparatingTranslation deepest = SeparatingTranslations(a, b, X_AB, rounding).deepest();
   const double depth = deepest.depth;
   const Vec3 n_W = X_WA.R * deepest.n_A;
   // Along the same direction the bodies as a whole separate when the lowest vertex of B is past the highest

@@ -39,13 +39,13 @@ bool is_centred(const Shape& shape) {
 }
 
 /// A point with its clearance, and the longest of its rays [m].
-struct SeenPoint {
+struct ClearPoint {
   InnerPoint point;
   Vec3 longest;
 };
 
 /// The point with what is seen from it, or nothing if it is not inside.
-std::optional<SeenPoint> seen_from(const Shape& shape, const Vec3& p_S) {
+std::optional<ClearPoint> seen_from(const Shape& shape, const Vec3& p_S) {
   if (!contains(shape, p_S)) return std::nullopt;
   const std::vector<Vec3>& all = directions();
   // From the middle of a centred shape opposite rays are alike.
@@ -61,12 +61,12 @@ std::optional<SeenPoint> seen_from(const Shape& shape, const Vec3& p_S) {
   // What lies on the surface, up to rounding, is not inside.
   constexpr double rounding = 1e-9;
   if (!(nearest > rounding * p_S.cwiseAbs().maxCoeff()) || nearest == kInfinity) return std::nullopt;
-  return SeenPoint{{p_S, nearest}, longest};
+  return ClearPoint{{p_S, nearest}, longest};
 }
 
 /// The middles of the parts of some lines through the box that lie inside: the one with most room about it.
-std::optional<SeenPoint> roomiest(const Shape& shape, const Aabb& box) {
-  std::optional<SeenPoint> best;
+std::optional<ClearPoint> roomiest(const Shape& shape, const Aabb& box) {
+  std::optional<ClearPoint> best;
   constexpr int lines = 5;
   const Vec3 size = box.upper - box.lower;
   for (int axis = 0; axis < 3; ++axis) {
@@ -94,9 +94,9 @@ std::optional<SeenPoint> roomiest(const Shape& shape, const Aabb& box) {
 std::vector<InnerPoint> inner_points(const Shape& shape) {
   if (is_unbounded(shape)) return {};
   const Aabb box = axis_aligned_box(shape, in_place);
-  std::optional<SeenPoint> middle = seen_from(shape, 0.5 * (box.lower + box.upper));
+  std::optional<ClearPoint> middle = seen_from(shape, 0.5 * (box.lower + box.upper));
   if (!middle || std::holds_alternative<Mesh>(shape)) {
-    const std::optional<SeenPoint> other = roomiest(shape, box);
+    const std::optional<ClearPoint> other = roomiest(shape, box);
     if (!middle || (other && other->point.clearance > middle->point.clearance)) middle = other;
   }
   if (!middle) return {};

@@ -46,23 +46,23 @@ int before(const FeatureGraph& graph, int h) {
   return h > graph.first_of_face(face) ? h - 1 : graph.first_of_face(face + 1) - 1;
 }
 
-void add_spokes(std::size_t vertex_count, FeatureGraph& graph) {
+void add_outgoing_edges(std::size_t vertex_count, FeatureGraph& graph) {
   std::vector<int> first(vertex_count, -1);
   for (std::size_t h = graph.half_edges.size(); h-- > 0;)
     first[at(graph.half_edges[h].from)] = static_cast<int>(h);
   // Around each vertex, from its first half-edge, to the twin of the one before it in its face.
   for (const int start : first) {
     RIGOR_ASSERT(start >= 0);
-    graph.vertex_begin.push_back(static_cast<int>(graph.spokes.size()));
+    graph.vertex_begin.push_back(static_cast<int>(graph.outgoing.size()));
     int h = start;
     do {
       const FeatureGraph::HalfEdge& edge = graph.half_edge(h);
-      graph.spokes.push_back({edge.direction, h, edge.to});
+      graph.outgoing.push_back({edge.direction, h, edge.to});
       h = graph.half_edge(before(graph, h)).twin;
     } while (h != start);
   }
-  graph.vertex_begin.push_back(static_cast<int>(graph.spokes.size()));
-  RIGOR_ASSERT(graph.spokes.size() == graph.half_edges.size());
+  graph.vertex_begin.push_back(static_cast<int>(graph.outgoing.size()));
+  RIGOR_ASSERT(graph.outgoing.size() == graph.half_edges.size());
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ FeatureGraph make_feature_graph(const std::vector<Vec3>& vertices, const std::ve
   graph.normals = normals;
   add_loops(vertices, faces, graph);
   pair_twins(graph);
-  add_spokes(vertices.size(), graph);
+  add_outgoing_edges(vertices.size(), graph);
   return graph;
 }
 

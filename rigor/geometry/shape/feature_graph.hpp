@@ -20,17 +20,17 @@ struct FeatureGraph {
     int face;
   };
   /// An edge as seen from a vertex that it leaves.
-  struct Spoke {
+  struct OutgoingEdge {
     Vec3 direction;  ///< Unit, away from the vertex.
     int half_edge;   ///< That leaves the vertex.
     int to;          ///< The vertex at its other end.
   };
 
-  std::vector<HalfEdge> half_edges;  ///< Face by face, each loop counter-clockwise seen from outside.
-  std::vector<Vec3> normals;         ///< Of the faces, outward, unit.
-  std::vector<int> face_begin;       ///< First half-edge of each face, and the count of all at the end.
-  std::vector<Spoke> spokes;         ///< Vertex by vertex, in order around each.
-  std::vector<int> vertex_begin;     ///< First spoke of each vertex, and the count of all at the end.
+  std::vector<HalfEdge> half_edges;    ///< Face by face, each loop counter-clockwise seen from outside.
+  std::vector<Vec3> normals;           ///< Of the faces, outward, unit.
+  std::vector<int> face_begin;         ///< First half-edge of each face, and the count of all at the end.
+  std::vector<OutgoingEdge> outgoing;  ///< Vertex by vertex, in order around each.
+  std::vector<int> vertex_begin;       ///< First outgoing of each vertex, and the count of all at the end.
 
   int face_count() const { return static_cast<int>(normals.size()); }
   int vertex_count() const { return static_cast<int>(vertex_begin.size()) - 1; }
