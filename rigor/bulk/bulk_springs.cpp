@@ -215,7 +215,7 @@ BulkSprings::Motions BulkSprings::solve(const BulkBodies& bodies, const Span& sp
     const VecX impulses = impulses_of(rows, others.size());
     Motions next = others;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      pull(rows[i], impulses[static_cast<Eigen::Index>(i)] / span.h, next);
+      apply_force(rows[i], impulses[static_cast<Eigen::Index>(i)] / span.h, next);
     // Soft springs are right at once.
     const auto is_stiff = [](const Row& row) { return row.stiff > stiff; };
     if (std::none_of(rows.begin(), rows.end(), is_stiff)) return next;
@@ -246,7 +246,7 @@ double BulkSprings::approach(const BulkBodies& bodies, const Span& span, const A
   return reached;
 }
 
-void BulkSprings::pull(const Row& spring, double force, Motions& accelerations) {
+void BulkSprings::apply_force(const Row& spring, double force, Motions& accelerations) {
   for (const End* end : {&spring.A, &spring.B}) {
     if (end->body == world_body) continue;
     auto& row = accelerations[at(end->body)];

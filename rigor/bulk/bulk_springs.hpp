@@ -68,7 +68,7 @@ class BulkSprings {
   Motions solve(const BulkBodies& bodies, const Span& span, const Motions& others) const;
   double approach(const BulkBodies& bodies, const Span& span, const Accelerations& accelerations,
                   Motions& next) const;
-  static void pull(const Row& spring, double force, Motions& accelerations);
+  static void apply_force(const Row& spring, double force, Motions& accelerations);
   VecX impulses_of(const std::vector<Row>& rows, std::size_t body_count) const;
 
   const Model* model_;

@@ -61,7 +61,7 @@ class BulkWorld {
   void change_filter(int body);
   /// Joints came, went or became others, or bodies may collide that could not before: was[i] is the number
   /// that the joint i had before, or -1 if it is new. Wakes these bodies.
-  void change_ties(const std::vector<int>& was, const std::vector<int>& concerned);
+  void change_joints(const std::vector<int>& was, const std::vector<int>& concerned);
   /// There are more materials, or others (then all bodies are to be woken).
   void change_surfaces();
   void change_gravity();

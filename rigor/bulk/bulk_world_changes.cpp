@@ -32,7 +32,7 @@ void BulkWorld::change_filter(int body) {
   if (model_->body(body).motion != MotionType::dynamic) scratch_->sleepers->disturb_all();
 }
 
-void BulkWorld::change_ties(const std::vector<int>& was, const std::vector<int>& concerned) {
+void BulkWorld::change_joints(const std::vector<int>& was, const std::vector<int>& concerned) {
   constexpr std::size_t width = 6;
   changes_.are_ties_new = true;
   // Joints keep the impulses of the step before.

@@ -175,7 +175,7 @@ void ModelEditor::replace_body(int body, BodyDescription description, double t) 
   // The frames of its joints stay where they are on the frame of the user.
   if (tie_counts_[at(body)] > 0) {
     const Pose X_new_old = made.X_BU * old.X_BU.inverse();
-    begin_ties();
+    begin_joint_changes();
     changes_.bodies.push_back(body);
     for (Joint& joint : model_->joints_) {
       if (joint.body_A == body) joint.X_AF = X_new_old * joint.X_AF;

@@ -66,12 +66,12 @@ class ModelEditor {
 
   /// What joints did since the last call: of each joint the number that it had before, -1 if it is new, and
   /// the bodies that joints or exclusions concern. Nothing if none changed.
-  struct TieChanges {
+  struct JointChanges {
     bool is_any = false;
     std::vector<int> was;
     std::vector<int> bodies;
   };
-  TieChanges take_tie_changes();
+  JointChanges take_joint_changes();
 
  private:
   Body make(BodyDescription description, int place, double t);
@@ -81,7 +81,7 @@ class ModelEditor {
   void drop_idle_joints();
   void erase_joints(const std::vector<char>& goes);
   int append_joint(Joint joint, bool collides);
-  void begin_ties();
+  void begin_joint_changes();
   void change_exclusion(int a, int b, int by);
   void check_cavities(const Body& body, int place) const;
 
@@ -97,7 +97,7 @@ class ModelEditor {
   std::map<std::pair<int, int>, int> exclusions_;  ///< How often each pair is excluded.
   std::map<double, int> radii_;                    ///< Of bounded bodies, with their number.
   std::set<int> cavity_bodies_;
-  TieChanges changes_;
+  JointChanges changes_;
 };
 
 }  // namespace rigor

@@ -137,11 +137,11 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfColumns) {
     const auto highest = std::max_element(avx2.begin(), avx2.end());
     EXPECT_EQ(*highest, farthest.height);
     EXPECT_EQ(highest - avx2.begin(), farthest.index);
-    const Summit summit = find_summit(points, 60, n, 0.5f, LaneTarget::avx2);
-    EXPECT_EQ(summit.height, farthest.height);
-    EXPECT_EQ(summit.count, std::count_if(avx2.begin(), avx2.begin() + 60,
-                                          [&](float height) { return height >= *highest - 0.5f; }));
-    EXPECT_EQ(summit.count, find_summit(points, 60, n, 0.5f, LaneTarget::portable).count);
+    const SupportSet set = find_support_set(points, 60, n, 0.5f, LaneTarget::avx2);
+    EXPECT_EQ(set.height, farthest.height);
+    EXPECT_EQ(set.count, std::count_if(avx2.begin(), avx2.begin() + 60,
+                                       [&](float height) { return height >= *highest - 0.5f; }));
+    EXPECT_EQ(set.count, find_support_set(points, 60, n, 0.5f, LaneTarget::portable).count);
   }
 }
 

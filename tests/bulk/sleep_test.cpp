@@ -136,13 +136,13 @@ struct Sleepers {
   int sleeping() const { return static_cast<int>(std::count(quiet_time.begin(), quiet_time.end(), kAsleep)); }
 
   std::shared_ptr<const Model> model;
-  SleepKeeper keeper;
+  SleepManager keeper;
   BulkBodies bodies;
   std::vector<ManifoldMemory> contacts;
   std::vector<float> quiet_time;
 };
 
-TEST(SleepKeeper, IslandFallsAsleepWhenAllOfItHasBeenQuietForTheDelay) {
+TEST(SleepManager, IslandFallsAsleepWhenAllOfItHasBeenQuietForTheDelay) {
   Sleepers row_of_ten(10);
   row_of_ten.bodies.motion[11].v[0] = 0.005f;
   row_of_ten.settle(4);
@@ -152,7 +152,7 @@ TEST(SleepKeeper, IslandFallsAsleepWhenAllOfItHasBeenQuietForTheDelay) {
   EXPECT_EQ(row_of_ten.bodies.motion[11].v[0], 0);
 }
 
-TEST(SleepKeeper, OneBodyThatMovesOrTurnsKeepsItsIslandAwake) {
+TEST(SleepManager, OneBodyThatMovesOrTurnsKeepsItsIslandAwake) {
   Sleepers moves(10), turns(10);
   moves.bodies.motion[11].v[1] = 0.02f;
   turns.bodies.motion[11].w[2] = 0.03f;  // 0.015 m/s at its surface.
@@ -166,7 +166,7 @@ TEST(SleepKeeper, OneBodyThatMovesOrTurnsKeepsItsIslandAwake) {
   EXPECT_EQ(moves.sleeping(), 9);
 }
 
-TEST(SleepKeeper, WholeChainWakesAtOnceWhenItsEndIsHit) {
+TEST(SleepManager, WholeChainWakesAtOnceWhenItsEndIsHit) {
   Sleepers chain(1000);
   chain.contacts = row(2, 1000);
   chain.settle(6);
@@ -179,7 +179,7 @@ TEST(SleepKeeper, WholeChainWakesAtOnceWhenItsEndIsHit) {
   EXPECT_EQ(chain.sleeping(), 0);
 }
 
-TEST(SleepKeeper, LossOfASupportAForceAndAMovingKinematicBodyWake) {
+TEST(SleepManager, LossOfASupportAForceAndAMovingKinematicBodyWake) {
   Sleepers sleepers(5);
   const std::vector<ManifoldMemory> all = sleepers.contacts;
   sleepers.settle(6);
@@ -206,7 +206,7 @@ TEST(SleepKeeper, LossOfASupportAForceAndAMovingKinematicBodyWake) {
   EXPECT_EQ(on_a_moving_one.sleeping(), 0);
 }
 
-TEST(SleepKeeper, DependsOnTheStateAlone) {
+TEST(SleepManager, DependsOnTheStateAlone) {
   // A keeper that has seen other scenes says the same as a fresh one.
   Sleepers used(8);
   used.settle(3);
@@ -215,7 +215,7 @@ TEST(SleepKeeper, DependsOnTheStateAlone) {
   used.quiet_time = fresh.quiet_time;
   for (int k = 0; k < 7; ++k) {
     used.settle(1);
-    SleepKeeper(*fresh.model, SleepRules{0.01, 0.5})
+    SleepManager(*fresh.model, SleepRules{0.01, 0.5})
         .settle(kStep, fresh.contacts, fresh.bodies, fresh.quiet_time);
     EXPECT_EQ(used.quiet_time, fresh.quiet_time);
   }

@@ -145,9 +145,9 @@ FloatBox swept_box(const ShapePlace& place, const Float3& extent, const MotionRe
   FloatBox box;
   for (int k = 0; k < 3; ++k) {
     const float half = std::min(extents[k], bound.reach) + bound.radius + turn + margin + 2 * place.slack;
-    const float way = motion.v[k] * h;
-    box.lower[k] = place.center[k] - half + std::min(way, 0.0f);
-    box.upper[k] = place.center[k] + half + std::max(way, 0.0f);
+    const float shift = motion.v[k] * h;
+    box.lower[k] = place.center[k] - half + std::min(shift, 0.0f);
+    box.upper[k] = place.center[k] + half + std::max(shift, 0.0f);
   }
   return box;
 }
@@ -243,10 +243,10 @@ struct EightShapes {
           magnitude(R[k].x) * half_S.x + magnitude(R[k].y) * half_S.y + magnitude(R[k].z) * half_S.z;
       const FloatLanes half =
           float_min(extent, reach) + radius + turn + float_lanes(step.margin) + two * slack;
-      const FloatLanes way = motion.row[k] * h;
+      const FloatLanes shift = motion.row[k] * h;
       const FloatLanes& middle = k == 0 ? center.x : (k == 1 ? center.y : center.z);
-      box.row[k] = middle - half + float_min(way, zero);
-      box.row[3 + k] = middle + half + float_max(way, zero);
+      box.row[k] = middle - half + float_min(shift, zero);
+      box.row[3 + k] = middle + half + float_max(shift, zero);
     }
     // Back from lanes to one place and one box per body.
     box.row[6] = turning.z;

@@ -3,7 +3,7 @@
 #include "rigor/bulk/contacts/solved_manifold.hpp"
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/graph/block_lists.hpp"
-#include "rigor/bulk/graph/kept_colouring.hpp"
+#include "rigor/bulk/graph/cached_colouring.hpp"
 #include "rigor/bulk/matching/manifold_blocks.hpp"
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
@@ -125,7 +125,7 @@ class BulkContacts {
   LaneTarget target_ = best_lane_target();
   std::vector<bool> is_round_;  ///< Of bodies: their inertia is the same about all axes, or infinite.
   StepManifolds manifolds_;
-  KeptColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
+  CachedColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
   BlockLists blocks_;
   std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
   bool has_restitution_ = false;

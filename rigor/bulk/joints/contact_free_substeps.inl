@@ -208,8 +208,8 @@ RIGOR_FLOAT_LANES void spread_free(const FreeJoint& joint, const FreeNode* paren
 RIGOR_FLOAT_LANES void miss_free(float h, const FloatLanes& part, const FreeNode& parent, FreeNode& node) {
   const FloatVec3 arms =
       displacement_of(node.rotation, node.arm_child) - displacement_of(parent.rotation, node.arm_parent);
-  const FloatVec3 misses = fused(splat(1 / h), node.apart + arms, node.v - parent.v);
-  node.wanted = (-part) * misses;
+  const FloatVec3 errors = fused(splat(1 / h), node.apart + arms, node.v - parent.v);
+  node.wanted = (-part) * errors;
 }
 
 struct FreeStep {

@@ -223,7 +223,7 @@ void correct(float h, LaneTarget target, Block& block) {
     const bool is_short = k > 0 && !block.lanes.loops;
     const FloatLanes part = is_short ? lanes_off(h, block.lanes) : float_lanes(1);
     if (is_zero(part)) break;
-    run_stage(JointStage::miss, h, target, block.lanes);
+    run_stage(JointStage::position_error, h, target, block.lanes);
     if (is_short) leave_out(part, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }

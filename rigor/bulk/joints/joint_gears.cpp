@@ -106,7 +106,7 @@ std::vector<GearLanes> make_gears(const Model& model, const JointSystems& system
   return gears;
 }
 
-void set_gear_misses(float h, JointBlock& block) {
+void set_gear_errors(float h, JointBlock& block) {
   set_residuals(block, [&](std::size_t g, std::size_t lane) {
     // The rate that would be left, and what is off where the bodies would be, taken back within one substep.
     return gear_rate(block, g, lane) + gear_offset(block, g, lane) / h;

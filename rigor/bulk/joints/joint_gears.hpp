@@ -8,7 +8,7 @@ namespace rigor {
 std::vector<GearLanes> make_gears(const Model& model, const JointSystems& systems);
 
 /// Residuals of the gears: by how much they will be off after the time h [s], over h.
-void set_gear_misses(float h, JointBlock& block);
+void set_gear_errors(float h, JointBlock& block);
 /// The same: their rates.
 void set_gear_drifts(JointBlock& block);
 

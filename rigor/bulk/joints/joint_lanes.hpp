@@ -114,9 +114,9 @@ struct JointBlock {
   std::vector<GearLanes> gears;
   std::unique_ptr<LoopSolver> loops;  ///< Of systems that are no trees.
   bool has_laws = false;
-  bool is_of_balls = false;  ///< Trees of ball joints without laws.
-  bool misses = false;       ///< Whether the residuals are those of places, not of rates.
-  bool gives = false;        ///< Whether the next solve begins with the given impulses.
+  bool is_of_balls = false;        ///< Trees of ball joints without laws.
+  bool is_position_error = false;  ///< Whether the residuals are those of places, not of rates.
+  bool gives = false;              ///< Whether the next solve begins with the given impulses.
 };
 
 /// Whether the rows need the orientations of the joint's frames: not those of a point or a distance.

@@ -297,7 +297,7 @@ void LoopSolver::solve_lane(const Lane& lane, JointBlock& block) const {
   }
 
   // D λ = b - C M⁻¹ p.
-  VecX lambda = impulses(lane, b, block.misses);
+  VecX lambda = impulses(lane, b, block.is_position_error);
 
   // Δv = M⁻¹ (p + Cᵀ λ).
   for (std::size_t i = 0; i < pattern_->sides.size(); ++i) {

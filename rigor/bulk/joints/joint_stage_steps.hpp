@@ -112,11 +112,11 @@ RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block)
     // What it resists without its children.
     if (stage == JointStage::factor && !block.loops) set_resistance(slot);
     // Where it will be, if velocities stay.
-    if (stage == JointStage::miss) {
+    if (stage == JointStage::position_error) {
       slot.next_rotation = rotation_on(slot.dr, float_lanes(h) * slot.w);
     }
     // Nothing has been pushed yet.
-    if (stage == JointStage::miss || stage == JointStage::drift) {
+    if (stage == JointStage::position_error || stage == JointStage::drift) {
       for (FloatLanes& e : slot.push) e = float_lanes(0);
     }
   }

@@ -28,10 +28,11 @@ void run_stage(JointStage stage, float h, LaneTarget target, JointBlock& block) 
   // What each joint and body does, in lanes.
   target == LaneTarget::avx2 ? avx2_lanes::run_stage_in_lanes(stage, h, block)
                              : portable_lanes::run_stage_in_lanes(stage, h, block);
-  if (stage == JointStage::miss || stage == JointStage::drift) block.misses = stage == JointStage::miss;
+  if (stage == JointStage::position_error || stage == JointStage::drift)
+    block.is_position_error = stage == JointStage::position_error;
 
   // What joins several joints: gears, and the equations of systems that are no trees.
-  if (stage == JointStage::miss) set_gear_misses(h, block);
+  if (stage == JointStage::position_error) set_gear_errors(h, block);
   if (stage == JointStage::drift) set_gear_drifts(block);
   if (block.loops && stage == JointStage::factor) block.loops->factor(block);
   if (block.loops && stage == JointStage::solve) {

@@ -16,12 +16,12 @@ void load_slots(const std::vector<JointRecords>& records, LaneTarget target, Joi
 void store_slots(const std::vector<JointRecords>& records, LaneTarget target, const JointBlock& block);
 
 enum class JointStage {
-  aim,     ///< Rows of the joints where the bodies are.
-  factor,  ///< Factors of all resistances.
-  rates,   ///< Rates and mobilities of the rows of joints with laws.
-  miss,    ///< Residuals: by how much positions will be off after the time h, and the laws.
-  drift,   ///< Residuals: the rates.
-  solve,   ///< Takes the residuals away.
+  aim,             ///< Rows of the joints where the bodies are.
+  factor,          ///< Factors of all resistances.
+  rates,           ///< Rates and mobilities of the rows of joints with laws.
+  position_error,  ///< Residuals: by how much positions will be off after the time h, and the laws.
+  drift,           ///< Residuals: the rates.
+  solve,           ///< Takes the residuals away.
 };
 /// One stage of the work on the slots of a block; h [s].
 void run_stage(JointStage stage, float h, LaneTarget target, JointBlock& block);

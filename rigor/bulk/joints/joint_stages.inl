@@ -78,7 +78,7 @@ inline void run_ball(JointStage stage, float h, std::size_t i, JointBlock& block
       return aim_ball(link, child, parent, joint, ball);
     case JointStage::factor:
       return factor_ball(link, child, parent, ball);
-    case JointStage::miss:
+    case JointStage::position_error:
       return miss_ball(link, h, child, parent, joint, ball);
     case JointStage::drift:
       return drift_ball(child, parent, ball);
@@ -99,13 +99,15 @@ inline void run_joint(JointStage stage, float h, std::size_t i, JointBlock& bloc
   const JointSize count{row_count(link), held_row_count(link.type, link.has_laws)};
 
   // Rows, and residuals of what the joint holds.
-  if (stage == JointStage::aim || stage == JointStage::miss) run_by_type(stage, h, link, sides, joint);
+  if (stage == JointStage::aim || stage == JointStage::position_error)
+    run_by_type(stage, h, link, sides, joint);
   if (stage == JointStage::rates) measure_rates(sides, count, joint);
   if (stage == JointStage::drift) set_held_rates(sides, count, joint);
 
   // The rows of laws: residuals, and the impulses that are given.
-  if (stage == JointStage::miss || stage == JointStage::drift) set_law_residuals(sides, count, joint);
-  for (int r = count.held; stage == JointStage::miss && block.gives && r < count.rows; ++r)
+  if (stage == JointStage::position_error || stage == JointStage::drift)
+    set_law_residuals(sides, count, joint);
+  for (int r = count.held; stage == JointStage::position_error && block.gives && r < count.rows; ++r)
     give(link, i, r, block);
 
   // Trees are solved joint by joint; systems with loops as a whole, by LoopSolver.
@@ -152,7 +154,7 @@ void run_stage_in_lanes(JointStage stage, float h, JointBlock& block) {
       run_joint(stage, h, i, block);
     }
   }
-  if (stage == JointStage::miss) block.gives = false;
+  if (stage == JointStage::position_error) block.gives = false;
   if (stage == JointStage::solve && !block.loops) {
     for (std::size_t i = count; i-- > 0;) {
       spread(i, block);

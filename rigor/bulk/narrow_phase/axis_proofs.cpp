@@ -72,9 +72,10 @@ bool is_edge_alone(const PlacedPolytope& core, int e, const Vec3f& n, float near
   const float drop = 2 * near * core.extent + rounding;
   // Rotating n by ε changes no height by more than ε times the size of the core, and so no difference of two
   // by more than twice that.
-  const Summit summit = find_summit(core.vertices(), core.hull->vertex_count, n, drop, best_lane_target());
-  const auto is_highest = [&](int v) { return n.dot(core.vertex(v)) >= summit.height - rounding; };
-  return summit.count == 2 && is_highest(core.edge(e).v0) && is_highest(core.edge(e).v1);
+  const SupportSet set =
+      find_support_set(core.vertices(), core.hull->vertex_count, n, drop, best_lane_target());
+  const auto is_highest = [&](int v) { return n.dot(core.vertex(v)) >= set.height - rounding; };
+  return set.count == 2 && is_highest(core.edge(e).v0) && is_highest(core.edge(e).v1);
 }
 
 /// Of the best face of B and the face of A that is nearly parallel to it, if there is one, the one that the

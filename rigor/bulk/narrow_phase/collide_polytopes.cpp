@@ -123,10 +123,10 @@ CorePlace place_of(const BulkShape& shape, const PlacedShape& placed, const Vec3
 }
 
 void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
-  if (shape.ball_way.isZero(0)) return;
+  if (shape.ball_shift.isZero(0)) return;
   const CorePlace& place = core.place;
   const Vec3f local = place.R.transpose() * (to - place.t);
-  core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
+  core.center = place.R * local.cwiseMax(-shape.ball_shift).cwiseMin(shape.ball_shift) + place.t;
 }
 
 int PlacedPolytope::face_against(int v, const Vec3f& n) const {

@@ -212,7 +212,7 @@ Vec3f RingCore::ball_near(const Vec3f& p) const {
   const Vec3f across = to - along * axis;
   const float length = across.norm();
   const Vec3f moved = length > ball_across ? Vec3f(ball_across / length * across) : across;
-  return middle + std::clamp(along, -ball_way, ball_way) * axis + moved;
+  return middle + std::clamp(along, -ball_shift, ball_shift) * axis + moved;
 }
 
 RingCore place_ring(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
@@ -226,7 +226,7 @@ RingCore place_ring(const BulkShape& shape, const PlacedShape& placed, const Vec
   core.extent = shape.extent;
   core.inner = shape.rings.inner;
   core.ball = shape.rings.ball;
-  core.ball_way = shape.rings.ball_way;
+  core.ball_shift = shape.rings.ball_shift;
   core.ball_across = shape.rings.ball_across;
   RingNumbers& numbers = core.numbers;
   for (int k = 0; k < 3; ++k) numbers.axis[k] = core.axis[k];

@@ -16,7 +16,7 @@ struct RingCore {
   float radius;      ///< By which it is grown [m].
   float extent;      ///< No point of the core is farther from the origin [m].
   float inner;       ///< Radius of a ball inside the core, which is at the height `ball` on the axis and can
-  float ball, ball_way, ball_across;  ///< be moved along the axis and across it by so much [m].
+  float ball, ball_shift, ball_across;  ///< be moved along the axis and across it by so much [m].
 
   /// How far the core reaches along n, from O.
   float reach(const Vec3f& n) const;

@@ -54,11 +54,11 @@ std::optional<Vec3f> find_round_candidates(const PlacedRound& round_A, const Pla
   const CoreSegment core_B = core_segment(round_B, p_OB);
   // The nearest points of the two axes; across both where they meet and no direction is left.
   const SegmentPoints nearest = nearest_on_segments(core_A.p, core_A.u, core_B.p, core_B.u);
-  const Vec3f way = core_B.p + nearest.t * core_B.u - core_A.p - nearest.s * core_A.u;
-  const float distance = way.norm();
+  const Vec3f between = core_B.p + nearest.t * core_B.u - core_A.p - nearest.s * core_A.u;
+  const float distance = between.norm();
   if (!(distance - a.radius - b.radius <= margin)) return std::nullopt;
   const float rounding = 1e-6f * (a.extent + b.extent + p_OB.norm());
-  const Vec3f n = distance > rounding ? Vec3f(way / distance) : across(core_A.u, core_B.u);
+  const Vec3f n = distance > rounding ? Vec3f(between / distance) : across(core_A.u, core_B.u);
   const auto add = [&](float s, float t, std::uint32_t feature) {
     const Vec3f p_A = core_A.p + s * core_A.u, p_B = core_B.p + t * core_B.u;
     const float gap = n.dot(p_B - p_A) - a.radius - b.radius;

@@ -47,7 +47,8 @@ RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f&
   return best;
 }
 
-RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
+RIGOR_FLOAT_LANES SupportSet support_set_kernel(const LaneColumns& points, int count, const Vec3f& n,
+                                                float drop) {
   // The largest height of all points.
   const FloatVec3 direction = spread(n);
   FloatLanes highest = heights_at(points, direction, 0);
@@ -55,15 +56,15 @@ RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, con
     highest = float_max(highest, heights_at(points, direction, k));
   const FloatLanes top = spread_max(highest), least = top - float_lanes(drop);
   // How many points are lower by no more than the drop.
-  Summit summit{top[0], 0};
+  SupportSet summit{top[0], 0};
   for (std::size_t k = 0; k < points.count; k += kLaneCount) {
     unsigned bits = lane_bits(heights_at(points, direction, k) >= least);
     // The padding of the columns does not count.
     const int left = count - static_cast<int>(k);
     if (left < kLaneCount) bits &= (1u << left) - 1;
-    summit.count += std::popcount(bits);
+    set.count += std::popcount(bits);
   }
-  return summit;
+  return set;
 }
 
 RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, const float* offsets,
@@ -244,8 +245,8 @@ RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, cons
   FloatLanes t = clamp((s * uv - vw) * inverse_vv);
   s = clamp((t * uv + uw) * inverse_uu);
   t = clamp((s * uv - vw) * inverse_vv);
-  const FloatVec3 way = w + t * v - s * u;
-  store_floats(dot(way, way), squares);
+  const FloatVec3 between = w + t * v - s * u;
+  store_floats(dot(between, between), squares);
 }
 
 RIGOR_FLOAT_LANES float least_kernel(const float* x, std::size_t count) {
@@ -270,8 +271,8 @@ RIGOR_FLOAT_LANES void up_to_kernel(const std::vector<float>& x, float most, std
 RIGOR_AVX2 Support support_avx2(const LaneColumns& points, const Vec3f& n) {
   return support_kernel(points, n);
 }
-RIGOR_AVX2 Summit summit_avx2(const LaneColumns& points, int count, const Vec3f& n, float drop) {
-  return summit_kernel(points, count, n, drop);
+RIGOR_AVX2 SupportSet support_set_avx2(const LaneColumns& points, int count, const Vec3f& n, float drop) {
+  return support_set_kernel(points, count, n, drop);
 }
 RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, const float* offsets,
                              float* heights) {
@@ -312,9 +313,10 @@ Support find_support(const LaneColumns& points, const Vec3f& n, LaneTarget targe
   return target == LaneTarget::avx2 ? support_avx2(points, n) : support_kernel(points, n);
 }
 
-Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target) {
-  return target == LaneTarget::avx2 ? summit_avx2(points, count, n, drop)
-                                    : summit_kernel(points, count, n, drop);
+SupportSet find_support_set(const LaneColumns& points, int count, const Vec3f& n, float drop,
+                            LaneTarget target) {
+  return target == LaneTarget::avx2 ? support_set_avx2(points, count, n, drop)
+                                    : support_set_kernel(points, count, n, drop);
 }
 
 void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,

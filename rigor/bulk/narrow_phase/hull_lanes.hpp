@@ -21,11 +21,12 @@ Support find_support(const LaneColumns& points, const Vec3f& n, LaneTarget targe
 
 /// How far the farthest of `count` points is along a direction, and how many are lower by no more than
 /// `drop`.
-struct Summit {
+struct SupportSet {
   float height;
   int count;
 };
-Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target);
+SupportSet find_support_set(const LaneColumns& points, int count, const Vec3f& n, float drop,
+                            LaneTarget target);
 
 /// Writes n · p for all points, less their offsets, if there are any.
 void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,

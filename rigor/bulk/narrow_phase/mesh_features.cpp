@@ -205,10 +205,10 @@ std::optional<int> MeshMeeting::touch_round(const EdgePart& edge, Ridge& ridge) 
   const PlacedPolytope& core = pair_.b;
   const Vec3f q = core.vertex(core.hull->edges[0].v0), v = core.edge_vector(0);
   const SegmentPoints nearest = nearest_on_segments(edge.p, edge.u, q, v);
-  const Vec3f on_edge = edge.p + nearest.s * edge.u, way = q + nearest.t * v - on_edge;
-  const float distance = way.norm(), gap = distance - core.radius;
+  const Vec3f on_edge = edge.p + nearest.s * edge.u, between = q + nearest.t * v - on_edge;
+  const float distance = between.norm(), gap = distance - core.radius;
   if (gap > margin_ || !(distance > rounding_)) return std::nullopt;
-  ridge.n = way / distance;
+  ridge.n = between / distance;
   ridge.gap = gap;
   const int vertex = nearest.s <= 0 ? edge.first : nearest.s >= 1 ? edge.last : -1;
   const std::uint32_t feature = vertex >= 0 ? vertex_A_feature(vertex)

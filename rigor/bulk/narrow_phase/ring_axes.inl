@@ -93,8 +93,8 @@ RIGOR_FLOAT_LANES FloatVec3 side_directions(const RingLanes& a, const RingLanes&
   const FloatLanes alpha = k * fused_dot(p, o), beta = m * fused_dot(p, x);
 
   // The largest one of a few angles in the quarter, and the part of it around that.
-  const FloatLanes way = is_near ? one : -one;
-  const auto at_x = [&](int i) { return way * splat(cosines[i]); };
+  const FloatLanes sign = is_near ? one : -one;
+  const auto at_x = [&](int i) { return sign * splat(cosines[i]); };
   const auto at_y = [&](int i) { return splat(cosines[samples - 1 - i]); };
   FloatLanes most = splat(-1e30F), cosine = zero, sine = zero, low_x = zero, low_y = zero, high_x = zero,
              high_y = zero;

@@ -48,18 +48,18 @@ float radius_of(const Body& body) {
 
 }  // namespace
 
-SleepKeeper::SleepKeeper(const Model& model, const SleepRules& rules) : rules_(rules), islands_(model) {
+SleepManager::SleepManager(const Model& model, const SleepRules& rules) : rules_(rules), islands_(model) {
   for (const Body& body : model.bodies()) radius_.push_back(radius_of(body));
   find_driven(model);
 }
 
-void SleepKeeper::change(const Model& model, const ChangedBodies& changed) {
+void SleepManager::change(const Model& model, const ChangedBodies& changed) {
   for (const int body : changed.bodies) radius_[at(body)] = radius_of(model.body(body));
   if (changed.are_ties_new) find_driven(model);
   islands_.change(model, changed);
 }
 
-void SleepKeeper::find_driven(const Model& model) {
+void SleepManager::find_driven(const Model& model) {
   drivers_.clear();
   driven_.clear();
   // Kinematic bodies keep awake what is tied to them, while they move.
@@ -75,13 +75,13 @@ void SleepKeeper::find_driven(const Model& model) {
   }
 }
 
-bool SleepKeeper::is_quiet(const BulkBodies& bodies, int body) const {
+bool SleepManager::is_quiet(const BulkBodies& bodies, int body) const {
   return speed_of(bodies.motion[at(body)], radius_[at(body)]) < static_cast<float>(rules_.speed);
 }
 
-bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
-                       const std::vector<ManifoldMemory>& now, const Disturbances& disturbances,
-                       std::vector<float>& quiet_time) {
+bool SleepManager::wake(const BulkBodies& bodies, const ManifoldMemories& before,
+                        const std::vector<ManifoldMemory>& now, const Disturbances& disturbances,
+                        std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
   bool has_woken = false;
   const auto disturb = [&](int body) {
@@ -132,8 +132,8 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
   return has_woken;
 }
 
-void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies,
-                         std::vector<float>& quiet_time) {
+void SleepManager::settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies,
+                          std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
   // Each body counts how long it has been quiet; its island takes the least of its bodies.
   islands_.build(contacts);

@@ -29,9 +29,9 @@ inline constexpr float asleep = std::numeric_limits<float>::infinity();
 /// of its bodies is not quiet, touches a kinematic body that moves, is tied to one by a joint or a spring, or
 /// was disturbed, all of it is awake. So a chain of bodies wakes in one step, however long it is. Bodies of
 /// joints with running motors never sleep.
-class SleepKeeper {
+class SleepManager {
  public:
-  SleepKeeper(const Model& model, const SleepRules& rules);
+  SleepManager(const Model& model, const SleepRules& rules);
 
   /// After the Model has changed.
   void change(const Model& model, const ChangedBodies& changed);

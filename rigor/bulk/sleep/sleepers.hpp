@@ -41,7 +41,7 @@ class Sleepers {
 
  private:
   const Model* model_;
-  SleepKeeper keeper_;
+  SleepManager keeper_;
   std::vector<float> quiet_time_;     ///< As in the State.
   std::vector<ManifoldMemory> kept_;  ///< Memories of contacts whose bodies do not move in this step.
   std::vector<ManifoldMemory> found_, now_;

@@ -178,11 +178,11 @@ FloatRings make_float_rings(const Ring& lower, const Ring& upper) {
   // side: at the height x over the cap of the radius r, the side is at the distance (r h - x d) / slant.
   const double r = std::max(lower.radius, upper.radius), d = std::abs(inward);
   const double inner = std::min(0.5 * height, r * height / (slant + d));
-  const double way = inward == 0 ? 0.5 * height - inner : 0, up = inward >= 0 ? 1 : -1;
+  const double shift = inward == 0 ? 0.5 * height - inner : 0, up = inward >= 0 ? 1 : -1;
   rings.inner = static_cast<float>(inner * (1 - 1e-5));
   rings.ball = static_cast<float>(inward == 0 ? 0.5 * (lower.z + upper.z)
                                               : (inward > 0 ? lower.z : upper.z) + up * inner);
-  rings.ball_way = static_cast<float>(way);
+  rings.ball_shift = static_cast<float>(shift);
   rings.ball_across = static_cast<float>(inward == 0 ? r - inner : 0);
   return rings;
 }
@@ -214,7 +214,7 @@ struct FillCore {
     bulk.radius = static_cast<float>(s.radius);
     bulk.extent = static_cast<float>(s.half_length);
     bulk.scale.z() = bulk.extent;
-    bulk.ball_way.z() = bulk.extent;
+    bulk.ball_shift.z() = bulk.extent;
     bulk.rings = make_float_rings({0, -s.half_length}, {0, s.half_length});
   }
   void operator()(const Box& s) const {
@@ -222,7 +222,7 @@ struct FillCore {
     bulk.hull = hulls.box;
     bulk.scale = s.half_extents.cast<float>();
     bulk.extent = bulk.scale.norm();
-    bulk.ball_way = bulk.scale - Vec3f::Constant(bulk.hull->inner * bulk.scale.minCoeff());
+    bulk.ball_shift = bulk.scale - Vec3f::Constant(bulk.hull->inner * bulk.scale.minCoeff());
   }
   void operator()(const HalfSpace&) const { bulk.kind = BulkShape::Kind::plane; }
   void operator()(const Convex& s) const {

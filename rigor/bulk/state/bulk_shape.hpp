@@ -86,7 +86,7 @@ struct FloatRings {
   float k = 0, square = 1;  ///< Along the axis and across it: the parts of the unit normals of the side.
   float inner = 0;          ///< Radius of the ball [m].
   float ball = 0;           ///< Height of its centre [m].
-  float ball_way = 0, ball_across = 0;  ///< How far it can be moved along the axis and across it [m].
+  float ball_shift = 0, ball_across = 0;  ///< How far it can be moved along the axis and across it [m].
 };
 FloatRings make_float_rings(const Ring& lower, const Ring& upper);
 
@@ -106,7 +106,7 @@ struct BulkShape {
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
   /// How far the ball inside the core can be moved along the axes of S, both ways [m].
-  Vec3f ball_way = Vec3f::Zero();
+  Vec3f ball_shift = Vec3f::Zero();
 
   /// Radius of a ball inside the shape, if it has a core [m].
   float inner_radius() const { return hull->inner * scale.minCoeff() + radius; }

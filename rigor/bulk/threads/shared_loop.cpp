@@ -11,7 +11,7 @@ namespace {
 
 /// Waits for a moment, at first only a pause of the processor; later the thread yields, so that the machine
 /// may use its processor elsewhere.
-class Patience {
+class SpinWait {
  public:
   void wait() {
     constexpr int short_waits = 2000;
@@ -43,18 +43,18 @@ void SharedLoop::run(int count, int ranges, const Body& body) {
   // The calling thread takes ranges too, and then waits for those that others have taken.
   while (take_range()) {
   }
-  for (Patience patience; done_.load(std::memory_order_acquire) < ranges;) patience.wait();
+  for (SpinWait wait; done_.load(std::memory_order_acquire) < ranges;) wait.wait();
   is_running_.store(false, std::memory_order_relaxed);
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
 void SharedLoop::help() {
-  Patience patience;
+  SpinWait wait;
   while (!is_closed_.load(std::memory_order_acquire)) {
     if (take_range())
-      patience = {};
+      wait = {};
     else
-      patience.wait();
+      wait.wait();
   }
 }
 

@@ -74,8 +74,8 @@ void BulkSimulation::begin_anew(int places) {
 }
 
 /// Hands changes of joints on to the world and to their handles.
-void BulkSimulation::note_ties() {
-  const ModelEditor::TieChanges changes = editor_->take_tie_changes();
+void BulkSimulation::note_joint_changes() {
+  const ModelEditor::JointChanges changes = editor_->take_joint_changes();
   if (!changes.is_any) return;
   std::vector<int> places;
   std::vector<char> stays(joint_places_.size(), 0);
@@ -91,7 +91,7 @@ void BulkSimulation::note_ties() {
     joint_ids_.give(place);
   }
   joint_places_ = std::move(places);
-  world_->change_ties(changes.was, changes.bodies);
+  world_->change_joints(changes.was, changes.bodies);
 }
 
 /// After a body came, went or became another.
@@ -127,7 +127,7 @@ BulkStatus BulkSimulation::remove_body(const BodyId& body) {
   if (!place) return BulkStatus::no_such_body;
   begin_edit();
   editor_->remove_body(*place);
-  note_ties();
+  note_joint_changes();
   has_changed(*place);
   body_ids_.retire(*place);
   // What the world keeps of bodies that are gone is given back now and then.
@@ -151,7 +151,7 @@ BulkStatus BulkSimulation::replace_body(const BodyId& body, const BodyDescriptio
     own.angular_velocity = own.motion == MotionType::dynamic ? w : description.angular_velocity;
   }
   editor_->replace_body(*place, std::move(own), time());
-  note_ties();
+  note_joint_changes();
   has_changed(*place);
   // The velocity was that of the old centre of mass.
   if (model_->body(*place).motion == MotionType::dynamic)
@@ -174,7 +174,7 @@ BulkStatus BulkSimulation::exclude_pair(const BodyId& a, const BodyId& b, bool i
   if (!place_A || !place_B || a == b) return BulkStatus::no_such_body;
   begin_edit();
   editor_->exclude_pair(*place_A, *place_B, is_excluded);
-  note_ties();
+  note_joint_changes();
   return BulkStatus::done;
 }
 
@@ -210,7 +210,7 @@ std::optional<JointId> BulkSimulation::add_joint(const ModelBuilder::JointDescri
   }
   begin_edit();
   const int index = editor_->add_joint(description, bodies, poses);
-  note_ties();
+  note_joint_changes();
   return joint(index);
 }
 
@@ -220,7 +220,7 @@ std::optional<JointId> BulkSimulation::add_gear(const ModelBuilder::JointDescrip
   if (!a || !b) return std::nullopt;
   begin_edit();
   const int index = editor_->add_gear(description, {*a, *b});
-  note_ties();
+  note_joint_changes();
   return joint(index);
 }
 
@@ -229,7 +229,7 @@ BulkStatus BulkSimulation::remove_joint(const JointId& joint) {
   if (!index) return BulkStatus::no_such_joint;
   begin_edit();
   editor_->remove_joint(*index);
-  note_ties();
+  note_joint_changes();
   return BulkStatus::done;
 }
 
@@ -240,7 +240,7 @@ BulkStatus BulkSimulation::set_axis(const JointId& joint, int coordinate, const 
   if (coordinate < 0 || coordinate >= count) return BulkStatus::no_such_coordinate;
   begin_edit();
   editor_->set_axis(*index, coordinate, laws);
-  note_ties();
+  note_joint_changes();
   return BulkStatus::done;
 }
 

@@ -48,19 +48,19 @@ class HandleTable {
 
   /// The handle of something new in a place where nothing is.
   Id give(int place) {
-    if (turns_.size() <= at(place)) turns_.resize(at(place) + 1, {0, false});
-    turns_[at(place)].is_there = true;
+    if (slots_.size() <= at(place)) slots_.resize(at(place) + 1, {0, false});
+    slots_[at(place)].is_there = true;
     return id_of(place);
   }
   /// What is in a place goes.
   void retire(int place) {
-    turns_[at(place)].is_there = false;
-    ++turns_[at(place)].number;
+    slots_[at(place)].is_there = false;
+    ++slots_[at(place)].number;
   }
   /// The handle of what is in a place; one that names nothing if nothing is.
   Id id_of(int place) const {
-    if (place < 0 || at(place) >= turns_.size() || !turns_[at(place)].is_there) return {};
-    return {place, turns_[at(place)].number};
+    if (place < 0 || at(place) >= slots_.size() || !slots_[at(place)].is_there) return {};
+    return {place, slots_[at(place)].number};
   }
   std::optional<int> place_of(const Id& id) const {
     const bool is_there = id.place >= 0 && id_of(id.place) == id;
@@ -69,28 +69,28 @@ class HandleTable {
   /// All that are there, by place.
   std::vector<Id> all() const {
     std::vector<Id> ids;
-    for (int place = 0; place < static_cast<int>(turns_.size()); ++place)
-      if (turns_[at(place)].is_there) ids.push_back(id_of(place));
+    for (int place = 0; place < static_cast<int>(slots_.size()); ++place)
+      if (slots_[at(place)].is_there) ids.push_back(id_of(place));
     return ids;
   }
   /// The lowest place where nothing is.
   int lowest_free() const {
     std::size_t place = 0;
-    while (place < turns_.size() && turns_[place].is_there) ++place;
+    while (place < slots_.size() && slots_[place].is_there) ++place;
     return static_cast<int>(place);
   }
   /// Nothing is there any more, and all handles name nothing.
   void retire_all() {
-    for (int place = 0; place < static_cast<int>(turns_.size()); ++place)
-      if (turns_[at(place)].is_there) retire(place);
+    for (int place = 0; place < static_cast<int>(slots_.size()); ++place)
+      if (slots_[at(place)].is_there) retire(place);
   }
 
  private:
-  struct Turn {
+  struct Slot {
     std::uint32_t number = 0;
     bool is_there = false;
   };
-  std::vector<Turn> turns_;
+  std::vector<Slot> slots_;
 };
 
 }  // namespace rigor

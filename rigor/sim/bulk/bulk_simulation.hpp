@@ -185,7 +185,7 @@ class BulkSimulation {
   void begin_edit();
   void make_room_for_one();
   void begin_anew(int places);
-  void note_ties();
+  void note_joint_changes();
   void has_changed(int place);
   /// Whether a body came, went or became another since the last step.
   bool is_new(int place) const { return at(place) < changed_.size() && changed_[at(place)] != 0; }

@@ -65,40 +65,40 @@ void put_in_order(std::vector<ContactMemory>& memories) {
 
 /// The memories of the State, each of which is taken once: by the contact of the same key, or by one of the
 /// same shapes if the features have changed.
-class MemoryShelf {
+class MemoryIndex {
  public:
-  explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
-    for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
+  explicit MemoryIndex(const std::vector<ContactMemory>& memories) {
+    for (const ContactMemory& memory : memories) index_[memory.key()].push_back(&memory);
   }
   const ContactMemory* take(const ContactKey& wanted) {
-    const auto found = shelf_.find(wanted);
-    return found == shelf_.end() ? nullptr : take_first(found);
+    const auto found = index_.find(wanted);
+    return found == index_.end() ? nullptr : take_first(found);
   }
   const ContactMemory* take_of_same_shapes(ContactKey wanted) {
     wanted.feature = 0;
-    const auto found = shelf_.lower_bound(wanted);
-    if (found == shelf_.end()) return nullptr;
+    const auto found = index_.lower_bound(wanted);
+    if (found == index_.end()) return nullptr;
     wanted.feature = found->first.feature;
     return found->first == wanted ? take_first(found) : nullptr;
   }
   /// Number and energy of the memories that no contact took.
   std::pair<long, double> rest() const {
     std::pair<long, double> rest{0, 0};
-    for (const auto& [key, memories] : shelf_) {
+    for (const auto& [key, memories] : index_) {
       for (const ContactMemory* memory : memories) ++rest.first, rest.second += memory->energy;
     }
     return rest;
   }
 
  private:
-  using Shelf = std::map<ContactKey, std::vector<const ContactMemory*>>;
-  const ContactMemory* take_first(Shelf::iterator place) {
+  using Index = std::map<ContactKey, std::vector<const ContactMemory*>>;
+  const ContactMemory* take_first(Index::iterator place) {
     const ContactMemory* const memory = place->second.front();
     place->second.erase(place->second.begin());
-    if (place->second.empty()) shelf_.erase(place);
+    if (place->second.empty()) index_.erase(place);
     return memory;
   }
-  Shelf shelf_;
+  Index index_;
 };
 
 }  // namespace
@@ -256,11 +256,11 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
     return lacks_bristle ? with_bristle(spring, contact_mobility(system, i), choice_.depth) : spring;
   };
   // Springs of contacts that the State remembers under the same key.
-  MemoryShelf shelf(state.contacts);
+  MemoryIndex index(state.contacts);
   touching.springs.resize(n);
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
-    if (const ContactMemory* const memory = shelf.take(system.contacts[i].key())) {
+    if (const ContactMemory* const memory = index.take(system.contacts[i].key())) {
       touching.springs[i] = remembered(i, *memory);
     } else {
       unknown.push_back(i);
@@ -270,7 +270,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   MatX response;
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
-    if (const ContactMemory* const memory = shelf.take_of_same_shapes(contact.key())) {
+    if (const ContactMemory* const memory = index.take_of_same_shapes(contact.key())) {
       touching.springs[i] = remembered(i, *memory);
       continue;
     }
@@ -294,7 +294,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
     PenaltyContact& spring = touching.springs[i];
     spring.offset = std::min(spring.offset, std::max(0.0, -system.contacts[i].point.gap));
   }
-  std::tie(touching.lost, touching.lost_energy) = shelf.rest();
+  std::tie(touching.lost, touching.lost_energy) = index.rest();
 }
 
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,

@@ -1,4 +1,4 @@
-#include "rigor/bulk/graph/kept_colouring.hpp"
+#include "rigor/bulk/graph/cached_colouring.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace rigor::kept_colouring_test {
+namespace rigor::cached_colouring_test {
 namespace {
 
 constexpr int body_count = 40;
@@ -43,13 +43,13 @@ Edges without_some(const Edges& all) {
   return some;
 }
 
-void give(const Edges& all, KeptColouring& kept) {
+void give(const Edges& all, CachedColouring& kept) {
   kept.begin(all.edges.size() + 5);
   for (std::size_t i = 0; i < all.edges.size(); ++i) kept.add(all.numbers[i], all.edges[i], all.kinds[i]);
   kept.finish(body_count);
 }
 
-void expect_as_new(const Edges& all, const KeptColouring& kept) {
+void expect_as_new(const Edges& all, const CachedColouring& kept) {
   GraphColouring fresh;
   colour_graph(all.edges, all.kinds, body_count, fresh);
   for (auto& block : fresh.blocks) {
@@ -61,9 +61,9 @@ void expect_as_new(const Edges& all, const KeptColouring& kept) {
   EXPECT_EQ(kept.now().is_serial, fresh.is_serial);
 }
 
-TEST(KeptColouring, IsWhatColouringAnewGives) {
+TEST(CachedColouring, IsWhatColouringAnewGives) {
   std::mt19937 engine(3);
-  KeptColouring kept;
+  CachedColouring kept;
   Edges edges = random_edges(90, engine);
   for (int round = 0; round < 200; ++round) {
     switch (std::uniform_int_distribution<int>(0, 5)(engine)) {
@@ -87,9 +87,9 @@ TEST(KeptColouring, IsWhatColouringAnewGives) {
   }
 }
 
-TEST(KeptColouring, EdgesThatStayAreColouredOnce) {
+TEST(CachedColouring, EdgesThatStayAreColouredOnce) {
   std::mt19937 engine(5);
-  KeptColouring kept;
+  CachedColouring kept;
   Edges edges = random_edges(90, engine);
   for (int round = 0; round < 10; ++round) give(edges, kept);
   EXPECT_EQ(kept.run_count(), 1);
@@ -98,9 +98,9 @@ TEST(KeptColouring, EdgesThatStayAreColouredOnce) {
   EXPECT_EQ(kept.run_count(), 2);
 }
 
-TEST(KeptColouring, NumbersThatChangeAreTold) {
+TEST(CachedColouring, NumbersThatChangeAreTold) {
   std::mt19937 engine(7);
-  KeptColouring kept;
+  CachedColouring kept;
   Edges some = without_some(random_edges(90, engine));
   give(some, kept);
   for (int& number : some.numbers) number += 2;
@@ -112,4 +112,4 @@ TEST(KeptColouring, NumbersThatChangeAreTold) {
 }
 
 }  // namespace
-}  // namespace rigor::kept_colouring_test
+}  // namespace rigor::cached_colouring_test

@@ -10,7 +10,7 @@ namespace rigor {
 
 /// A colouring (colour_graph) that is only found again when the edges have changed: while bodies rest they
 /// stay the same for many steps.
-class KeptColouring {
+class CachedColouring {
  public:
   /// Begins a list of at most this many edges.
   void begin(std::size_t most);

@@ -32,15 +32,15 @@ bool acts_on(const Force& force, int body) {
 
 }  // namespace
 
-void ModelEditor::begin_ties() {
+void ModelEditor::begin_joint_changes() {
   if (changes_.is_any) return;
   changes_.is_any = true;
   changes_.was.resize(model_->joints().size());
   std::iota(changes_.was.begin(), changes_.was.end(), 0);
 }
 
-ModelEditor::TieChanges ModelEditor::take_tie_changes() {
-  TieChanges taken = std::move(changes_);
+ModelEditor::JointChanges ModelEditor::take_joint_changes() {
+  JointChanges taken = std::move(changes_);
   changes_ = {};
   taken.bodies = sorted_unique(std::move(taken.bodies));
   return taken;
@@ -48,7 +48,7 @@ ModelEditor::TieChanges ModelEditor::take_tie_changes() {
 
 /// Removes the joints, forces and exclusions of a body.
 void ModelEditor::drop_ties_of(int body) {
-  begin_ties();
+  begin_joint_changes();
   std::vector<char> goes(model_->joints().size(), 0);
   for (std::size_t i = 0; i < goes.size(); ++i) {
     const Joint& joint = model_->joints_[i];
@@ -88,7 +88,7 @@ void ModelEditor::drop_idle_joints() {
 
 /// Removes joints, and gears of theirs.
 void ModelEditor::erase_joints(const std::vector<char>& to_go) {
-  begin_ties();
+  begin_joint_changes();
   std::vector<Joint>& joints = model_->joints_;
   // A gear cannot stand without the joints that it ties.
   std::vector<char> goes = to_go;
@@ -143,7 +143,7 @@ void ModelEditor::change_exclusion(int a, int b, int by) {
   else
     excluded.erase(place);
   if (after == 0) exclusions_.erase(pair);
-  begin_ties();
+  begin_joint_changes();
   for (const int body : {a, b}) {
     tie_counts_[at(body)] += after > 0 ? 1 : -1;
     changes_.bodies.push_back(body);
@@ -223,7 +223,7 @@ int ModelEditor::add_gear(const ModelBuilder::JointDescription& description, std
 }
 
 int ModelEditor::append_joint(Joint joint, bool collides) {
-  begin_ties();
+  begin_joint_changes();
   joint_names_.insert(joint.name);
   for (const int body : {joint.body_A, joint.body_B}) {
     if (body == world_body) continue;
@@ -252,7 +252,7 @@ void ModelEditor::set_axis(int joint, int coordinate, const JointAxis& laws) {
   const double start = std::clamp(0.0, axes.front().lower, std::max(axes.front().lower, axes.front().upper));
   check_joint_axes(old.type, axes, start, findings);
   if (!messages.empty()) throw InputError(std::move(messages));
-  begin_ties();
+  begin_joint_changes();
   model_->joints_[at(joint)].axes = std::move(axes);
   for (const int body : model_->bodies_of_joint(joint)) changes_.bodies.push_back(body);
 }

@@ -1,4 +1,4 @@
-#include "rigor/bulk/graph/kept_colouring.hpp"
+#include "rigor/bulk/graph/cached_colouring.hpp"
 
 #include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/core/index.hpp"
@@ -12,7 +12,7 @@ constexpr std::size_t most_kept = 16384;
 
 }  // namespace
 
-void KeptColouring::begin(std::size_t most) {
+void CachedColouring::begin(std::size_t most) {
   make_room(most, edges_);
   make_room(most, kinds_);
   edges_.resize(most);
@@ -24,12 +24,12 @@ void KeptColouring::begin(std::size_t most) {
   numbers_.clear();
 }
 
-void KeptColouring::set_number(int number) {
+void CachedColouring::set_number(int number) {
   while (numbers_.size() < size_) numbers_.push_back(static_cast<std::int32_t>(numbers_.size()));
   numbers_.push_back(number);
 }
 
-void KeptColouring::finish(int body_count) {
+void CachedColouring::finish(int body_count) {
   if (is_same_ && size_ == last_size_ && numbers_.empty() && body_count == body_count_) return;
   // The edges have changed: all of them are coloured.
   edges_.resize(size_);
