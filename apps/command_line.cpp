@@ -431,10 +431,10 @@ std::string completion_of(const CLI::App& app, const std::string& shell) {
   return script;
 }
 
-/// Adds a command that only tells something about the program: a text of its own definitions and one word.
+/// Adds a command that only prints something about the program: a text of its own definitions and one word.
 void add_text_command(CLI::App& app, const std::string& name, const std::string& what,
                       const std::string& word, std::string (*text)(const CLI::App&, const std::string&),
-                      std::string& text) {
+                      std::string& message) {
   CLI::App& command = *app.add_subcommand(name, what);
   const std::shared_ptr<std::string> given = std::make_shared<std::string>();
   command
@@ -443,17 +443,18 @@ void add_text_command(CLI::App& app, const std::string& name, const std::string&
       ->required(word == "SHELL")
       ->option_text(" ");
   command.allow_extras();
-  command.final_callback([&app, &text, given, text] {
+  command.final_callback([&app, &message, given, text] {
     check_unknown(app);
-    text = text(app, *given);
+    message = text(app, *given);
   });
 }
 
-void add_text_commands(CLI::App& app, std::string& text) {
-  add_text_command(app, "help", "all about one command", "COMMAND", help_of, text);
+void add_text_commands(CLI::App& app, std::string& message) {
+  add_text_command(app, "help", "all about one command", "COMMAND", help_of, message);
   add_text_command(app, "completion", "the script by which a shell completes commands and options", "SHELL",
-                   completion_of, text);
-  add_text_command(app, "manual", "the man page of the program or of a command", "COMMAND", manual_of, text);
+                   completion_of, message);
+  add_text_command(app, "manual", "the man page of the program or of a command", "COMMAND", manual_of,
+                   message);
 }
 
 }  // namespace
@@ -465,14 +466,14 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   app.allow_extras();
   std::optional<Command> chosen;
-  std::string text;
+  std::string message;
   add_commands(app, chosen);
-  add_text_commands(app, text);
+  add_text_commands(app, message);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> asked = app.get_subcommands();
-    text = help_of(app, asked.empty() ? "" : asked.front()->get_name());
+    message = help_of(app, asked.empty() ? "" : asked.front()->get_name());
   } catch (const CLI::Success& version_wanted) {
     app.exit(version_wanted);
     return {};
@@ -480,8 +481,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     check_unknown(app);
     throw UsageError(error.what());
   }
-  if (!text.empty()) {
-    fmt::print("{}", text);
+  if (!message.empty()) {
+    fmt::print("{}", message);
     return {};
   }
   if (chosen) return {chosen};

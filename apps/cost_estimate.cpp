@@ -42,41 +42,41 @@ std::vector<Candidate> candidates() {
 }
 
 /// How far a run of limited CPU time came.
-struct PilotRun {
+struct PartialRun {
   double simulated = 0;  ///< [s].
   double cost = 0;       ///< CPU time [s].
   StopReason reason = StopReason::reached_end;
 };
 
 /// Runs the scene from the start to `end`, for at most `budget` of CPU time. `see` gets each state on the
-/// pilot.
-PilotRun run_within(const Scene& scene, const State& start, double end, double budget,
-                    const std::function<bool()>& interrupt, const std::function<void(const State&)>& see) {
+/// way.
+PartialRun run_within(const Scene& scene, const State& start, double end, double budget,
+                      const std::function<bool()>& interrupt, const std::function<void(const State&)>& see) {
   RunSettings settings = scene.run;
   settings.duration = end;
-  // Progress is seen at outputs: there are enough of them to see that of a short pilot.
+  // Progress is seen at outputs: there are enough of them to see that of a short part.
   settings.output_interval = std::min(settings.output_interval, scene.run.duration / 200);
-  PilotRun pilot;
+  PartialRun part;
   double begin = cpu_time();
   const auto is_spent = [&] { return interrupt() || cpu_time() - begin > budget; };
   const Observer observer = [&](const State& state, const AdvanceReport&, const Auditor&) {
     // What is made ready once a run is no part of its rate.
     if (state.t <= start.t) begin = cpu_time();
-    pilot.simulated = state.t - start.t;
-    pilot.cost = cpu_time() - begin;
+    part.simulated = state.t - start.t;
+    part.cost = cpu_time() - begin;
     see(state);
     return !is_spent();
   };
   const RunResult result = run_simulation(scene.model, scene.method, settings, start, observer, is_spent);
-  pilot.reason = result.audit.report.reason;
-  if (pilot.simulated <= 0) pilot.cost = cpu_time() - begin;
-  return pilot;
+  part.reason = result.audit.report.reason;
+  if (part.simulated <= 0) part.cost = cpu_time() - begin;
+  return part;
 }
 
 /// A moment of the pilot run.
 struct Moment {
   State as_found;
-  /// With the bodies pushed apart that the pilot run, whose contacts give pilot, left a little in each other;
+  /// With the bodies pushed apart that the pilot run, whose contacts give way, left a little in each other;
   /// nothing if that would take long.
   std::optional<State> apart = {};
 };
@@ -123,7 +123,7 @@ std::pair<std::vector<Moment>, double> pilot_run(const std::string& scene_file, 
     }
     kept.push_back(state);
   };
-  const PilotRun pilot =
+  const PartialRun pilot =
       run_within(scene, make_initial_state(*scene.model), scene.run.duration, budget.pilot, interrupt, keep);
   if (kept.empty()) kept.push_back(make_initial_state(*scene.model));
   std::vector<Moment> moments;
@@ -146,13 +146,13 @@ void measure(const Scene& scene, const Moment& moment, double span, double budge
   }
   const State& start = moment.apart ? *moment.apart : moment.as_found;
   const double end = std::min(start.t + span, scene.run.duration);
-  const PilotRun pilot = run_within(scene, start, end, budget, interrupt, [](const State&) {});
-  if (pilot.reason != StopReason::reached_end)
-    cost.note = fmt::format("stops near t = {:.3g} s: {}", start.t, stop_reason_name(pilot.reason));
+  const PartialRun part = run_within(scene, start, end, budget, interrupt, [](const State&) {});
+  if (part.reason != StopReason::reached_end)
+    cost.note = fmt::format("stops near t = {:.3g} s: {}", start.t, stop_reason_name(part.reason));
   // A scheme that does not reach its first output within its time needs at least that time for it.
-  cost.is_at_least = cost.is_at_least || pilot.simulated <= 0;
+  cost.is_at_least = cost.is_at_least || part.simulated <= 0;
   const double least = std::min(scene.run.output_interval, scene.run.duration / 200);
-  cost.cpu_time += span * pilot.cost / (pilot.simulated > 0 ? pilot.simulated : least);
+  cost.cpu_time += span * part.cost / (part.simulated > 0 ? part.simulated : least);
 }
 
 /// What the run costs with the method of the scene: measured from its start, and about the moments that this
@@ -161,8 +161,8 @@ SchemeCost cost_of(const std::string& name, const Scene& scene, const std::vecto
                    const EstimateBudget& budget, const std::function<bool()>& interrupt) {
   // What is quick is measured whole. It is more than quicker: bodies that rest exactly have no events, while
   // those of a pilot run are a little off, and settle anew.
-  const PilotRun begun = run_within(scene, make_initial_state(*scene.model), scene.run.duration, budget.start,
-                                    interrupt, [](const State&) {});
+  const PartialRun begun = run_within(scene, make_initial_state(*scene.model), scene.run.duration,
+                                      budget.start, interrupt, [](const State&) {});
   SchemeCost cost{name, begun.cost};
   if (begun.simulated >= scene.run.duration * (1 - 1e-12)) return cost;
   if (begun.reason != StopReason::reached_end) {

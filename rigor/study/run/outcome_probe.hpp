@@ -24,7 +24,7 @@ class OutcomeProbe {
   void begin(std::shared_ptr<const Model> model, std::vector<double> parameters);
   /// Looks at an output and at what happened since the last one.
   void observe(const State& state, const AdvanceReport& since, const Energy& energy);
-  /// Times of the events after which values are wanted that are not tracker yet, each once, in order [s].
+  /// Times of the events after which values are wanted that are not taken yet, each once, in order [s].
   /// Known when the run has come to its end.
   std::vector<double> event_times() const;
   /// Takes the values that are wanted after the events of this time.
