@@ -32,7 +32,6 @@ class ModelEditor {
   /// The Model as it is now; the same object through all changes.
   std::shared_ptr<const Model> model() const { return model_; }
   bool is_full() const { return vacant_.empty(); }
-  int vacant_count() const { return static_cast<int>(vacant_.size()); }
 
   /// Adds a body in a Model that is not full; without a name it is called by its place. A kinematic body with
   /// a velocity is where it is described at the time t [s].

@@ -26,7 +26,6 @@ class JointedPaths {
 
   /// Whether the path of the body is known, which is that of all bodies that were noted in each substep.
   bool has(int body) const { return at(body) < first_.size() && first_[at(body)] >= 0; }
-  int leg_count() const { return substeps_; }
   /// After the part t of the step, from 0 to 1; within a substep along its displacement.
   BodyDisplacement point(int body, double t) const;
   /// The box about all displacements of the centre.

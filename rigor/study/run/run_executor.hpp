@@ -26,8 +26,6 @@ class RunExecutor {
   /// The row of a run; nothing if the interrupt asked for an end. Mistakes that are those of the study, not
   /// of the run, throw InputError.
   std::optional<RunRow> run(const RunTask& task, const std::function<bool()>& interrupt);
-  /// The values of the parameters' columns at a point.
-  std::vector<double> values_at(std::span<const double> point) const { return values_.at(point); }
   /// The scenes of a run: one, of chaos also its neighbour's. Throws InputError.
   std::vector<Scene> scenes_of(const RunTask& task) const;
   /// What the run puts into the scene.
