@@ -40,7 +40,7 @@ std::filesystem::path Browser::write_page(const std::string& url) {
   std::string name = (std::filesystem::temp_directory_path() / "rigor-view-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) throw write_error(name, errno);
   folder_ = name;
-  const std::filesystem::path page = folder_ / "open.html";
+  std::filesystem::path page = folder_ / "open.html";
   const mode_t mask = ::umask(0077);
   const auto restore = [mask] { ::umask(mask); };
   try {

@@ -425,7 +425,7 @@ std::string manual_of(const CLI::App& app, const std::string& name) {
 }
 
 std::string completion_of(const CLI::App& app, const std::string& shell) {
-  const std::string script = completion_text(pages_of(app), shell);
+  std::string script = completion_text(pages_of(app), shell);
   if (script.empty())
     throw UsageError("unknown shell " + quoted_text(shell) + suggestion(shell, completion_shells()));
   return script;

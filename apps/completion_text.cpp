@@ -173,7 +173,7 @@ std::string fish_completion(const ProgramPages& pages) {
     for (const OptionPage& option : command.options) text += fish_option(option, where, pages);
     if (command.arguments.empty()) continue;
     const std::string value = fish_value(candidates_of(command.arguments.front(), pages));
-    if (!value.empty()) text += "complete -c rigor" + where + value + "\n";
+    if (!value.empty()) text.append("complete -c rigor").append(where).append(value).append("\n");
   }
   return text;
 }

@@ -74,6 +74,7 @@ Term term_of(const OptionPage& option) {
 
 std::vector<Term> terms_of(const std::vector<OptionPage>& options) {
   std::vector<Term> terms;
+  terms.reserve(options.size());
   for (const OptionPage& option : options) terms.push_back(term_of(option));
   return terms;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace rigor {
@@ -26,9 +27,9 @@ std::string duration_text(double seconds) {
 std::string joined_within(const std::vector<std::string>& parts, int width) {
   std::string text;
   for (const std::string& part : parts) {
-    const std::string longer = text.empty() ? part : text + ", " + part;
-    if (static_cast<int>(longer.size()) > width) break;
-    text = longer;
+    const std::string_view separator = text.empty() ? "" : ", ";
+    if (static_cast<int>(text.size() + separator.size() + part.size()) > width) break;
+    text.append(separator).append(part);
   }
   return text;
 }

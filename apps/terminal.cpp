@@ -38,7 +38,7 @@ bool speaks_utf8() {
 }
 
 std::string toned(std::string_view given, Tone tone, std::FILE* stream) {
-  const std::string text = escaped_text(given);
+  std::string text = escaped_text(given);
   const char* const no_color = std::getenv("NO_COLOR");
   const bool has_colors = is_terminal(stream) && (no_color == nullptr || *no_color == 0);
   if (!has_colors || tone == Tone::plain) return text;

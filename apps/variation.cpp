@@ -111,8 +111,8 @@ void check_values(const std::string& text, const std::vector<std::string>& value
 Variation parse_variation(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) fail(text, "must be KEY=a,b,c");
-  const Variation variation{trimmed(std::string_view(text).substr(0, equals)),
-                            split_values(text, std::string_view(text).substr(equals + 1))};
+  Variation variation{trimmed(std::string_view(text).substr(0, equals)),
+                      split_values(text, std::string_view(text).substr(equals + 1))};
   if (variation.key.empty()) fail(text, "the key is empty; must be KEY=a,b,c");
   check_values(text, variation.values);
   return variation;

@@ -73,6 +73,7 @@ void Batch::for_each(const std::function<void(int, Simulation&)>& work) {
   const int helpers = std::min(threads_, size()) - 1;
   {
     std::vector<std::jthread> pool;
+    pool.reserve(at(std::max(0, helpers)));
     for (int i = 0; i < helpers; ++i) pool.emplace_back(take_worlds);
     take_worlds();
   }

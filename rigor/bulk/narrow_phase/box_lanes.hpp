@@ -176,7 +176,8 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
   face.preference = rounding + face_preference(thinnest, face_separation);
   face.equal_depth = rounding + float_lanes(kEqualDepthOfSize) * thinnest;
   face.separation = face_separation;
-  choose_face(a.half, b.half, C, face_A.axis, face_B.axis, is_B, face);
+  face.axis = is_B ? face_B.axis : face_A.axis;
+  complete_face(a.half, b.half, C, is_B, face);
   place_face(t_A, t_B, is_B, face);
   orient_face(a.axis, b.axis, a.p, p_B, is_B, face);
   clip_boxes(face, is_B, margin, contacts);

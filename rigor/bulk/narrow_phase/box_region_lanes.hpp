@@ -64,12 +64,10 @@ struct BoxFace {
   IntLanes is_near;              ///< The region has a point within the margin.
 };
 
-/// Fills in the axes of the face and the half axes of the other box; C holds the cosines between the axes of
-/// A and those of B.
-RIGOR_FLOAT_LANES void choose_face(const FloatLanes* half_A, const FloatLanes* half_B,
-                                   const FloatLanes (*C)[3], const IntLanes& axis_A, const IntLanes& axis_B,
-                                   const IntLanes& is_B, BoxFace& face) {
-  face.axis = is_B ? axis_B : axis_A;
+/// Fills in the axes of the face, whose own axis is known, and the half axes of the other box; C holds the
+/// cosines between the axes of A and those of B.
+RIGOR_FLOAT_LANES void complete_face(const FloatLanes* half_A, const FloatLanes* half_B,
+                                     const FloatLanes (*C)[3], const IntLanes& is_B, BoxFace& face) {
   face.to_B = is_B ? float_lanes(-1) : float_lanes(1);
   // Half extents of the owner of the face and of the other box, in either order of the bodies.
   FloatLanes own[3], other[3];
@@ -194,11 +192,15 @@ RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& r
   }
 }
 
-/// Adds the points where the side from p - u to p + u crosses the lines x = ±hx (or, if not is_along_x, y =
-/// ±hy).
-RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const FloatVec3& u,
-                                  const FloatLanes& half_length, bool is_along_x, int place,
+/// A side of the other face: from p - u to p + u.
+struct RegionSide {
+  FloatVec3 p, u;
+  FloatLanes half_length;
+};
+/// Adds the points where a side crosses the lines x = ±hx (or, if not is_along_x, y = ±hy).
+RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const RegionSide& side, bool is_along_x, int place,
                                   RegionCorners& region) {
+  const FloatVec3 &p = side.p, &u = side.u;
   const FloatLanes one = float_lanes(1);
   // A side that is nearly parallel to the lines crosses neither of them: no corner would be lost.
   const FloatLanes start = is_along_x ? p.x : p.y, step = is_along_x ? u.x : u.y;
@@ -209,7 +211,7 @@ RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const
   const FloatLanes across = is_along_x ? p.y : p.x, slope = is_along_x ? u.y : u.x;
   const FloatLanes line = is_along_x ? face.hx : face.hy;
   const FloatLanes reach = (is_along_x ? face.hy : face.hx) - face.slack;
-  const FloatLanes inverse = one / step, reach_t = one - face.slack / half_length;
+  const FloatLanes inverse = one / step, reach_t = one - face.slack / side.half_length;
   for (int k = 0; k < 2; ++k) {
     const FloatLanes at_line = k == 0 ? -line : line;
     const FloatLanes t = (at_line - start) * inverse, at = across + t * slope;
@@ -223,11 +225,12 @@ RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners&
     const FloatLanes s = float_lanes(k == 0 ? -1.0f : 1.0f);
     const int place = RegionPlace::crossings + 8 * k;
     // The sides of the other face at -v, +v and at -u, +u.
-    const FloatVec3 along_u = face.c + s * face.v, along_v = face.c + s * face.u;
-    cross_side(face, along_u, face.u, face.hu, true, place, region);
-    cross_side(face, along_u, face.u, face.hu, false, place + 2, region);
-    cross_side(face, along_v, face.v, face.hv, true, place + 4, region);
-    cross_side(face, along_v, face.v, face.hv, false, place + 6, region);
+    const RegionSide along_u{face.c + s * face.v, face.u, face.hu};
+    const RegionSide along_v{face.c + s * face.u, face.v, face.hv};
+    cross_side(face, along_u, true, place, region);
+    cross_side(face, along_u, false, place + 2, region);
+    cross_side(face, along_v, true, place + 4, region);
+    cross_side(face, along_v, false, place + 6, region);
   }
 }
 

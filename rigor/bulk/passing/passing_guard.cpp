@@ -245,6 +245,7 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   }
   if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
   std::vector<BoxItem> items;
+  items.reserve(swept_.size());
   for (int i = 0; i < bodies.count(); ++i) items.push_back({i, swept_[at(i)]});
   swept_tree_.build(items);
 }
