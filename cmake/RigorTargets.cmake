@@ -105,7 +105,7 @@ option(RIGOR_UNITY_TESTS "Compile test files in batches" ON)
 
 # rigor_tests(folder layer...): one test program of all tests/<folder>/*.cpp.
 function(rigor_tests folder)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
   if(NOT sources)
     return()
   endif()

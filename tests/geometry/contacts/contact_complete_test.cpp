@@ -1,4 +1,4 @@
-#include "random_pairs.hpp"
+#include "geometry/random_pairs.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/point_distance.hpp"

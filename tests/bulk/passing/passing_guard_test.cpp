@@ -2,7 +2,7 @@
 // nothing gains energy. The truth: on which side of the plate the centre is, and that a body in the way of a
 // blade has been hit.
 
-#include "random_bodies.hpp"
+#include "bulk/random_bodies.hpp"
 #include "rigor/bulk/bulk_world.hpp"
 
 #include <gtest/gtest.h>

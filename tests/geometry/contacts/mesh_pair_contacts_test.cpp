@@ -1,5 +1,5 @@
+#include "geometry/mesh_shapes.hpp"
 #include "geometry/random_pairs.hpp"
-#include "mesh_shapes.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/distance/distance.hpp"

@@ -1,6 +1,6 @@
 // Dissipative scenes never gain energy: heaps, stacks and bricks with mass ratios up to 1e6.
 
-#include "random_bodies.hpp"
+#include "bulk/random_bodies.hpp"
 #include "rigor/bulk/bulk_world.hpp"
 
 #include <gtest/gtest.h>

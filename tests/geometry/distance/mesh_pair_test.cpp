@@ -1,6 +1,6 @@
 #include "rigor/geometry/distance/mesh_pair.hpp"
 
-#include "mesh_shapes.hpp"
+#include "geometry/mesh_shapes.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/mesh/triangle_pair.hpp"

@@ -1,7 +1,7 @@
 #include "rigor/geometry/rays/ray_cast.hpp"
 
-#include "mesh_shapes.hpp"
-#include "random_pairs.hpp"
+#include "geometry/mesh_shapes.hpp"
+#include "geometry/random_pairs.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"

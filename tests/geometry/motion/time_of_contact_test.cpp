@@ -1,8 +1,8 @@
 #include "rigor/geometry/motion/time_of_contact.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 
-#include "mesh_shapes.hpp"
-#include "random_pairs.hpp"
+#include "geometry/mesh_shapes.hpp"
+#include "geometry/random_pairs.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 

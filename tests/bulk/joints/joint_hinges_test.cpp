@@ -1,6 +1,6 @@
 // Hinges in trees of the many-body path against the general rows of a joint.
 
-#include "random_bodies.hpp"
+#include "bulk/random_bodies.hpp"
 
 #include "rigor/bulk/joints/joint_hinges.hpp"
 
