@@ -33,6 +33,7 @@ LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane
   const Vec3 origin_S = in_S(p_plane);
   const std::vector<Vec3>& vertices = vertices_S();
   std::vector<double> heights;
+  heights.reserve(vertices.size());
   for (const Vec3& v : vertices) heights.push_back(n_S.dot(v - origin_S));
   const double lowest = *std::min_element(heights.begin(), heights.end());
 

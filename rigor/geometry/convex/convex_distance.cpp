@@ -111,7 +111,7 @@ CoreDistance core_distance(const CorePair& pair) {
     advance_gjk(pair, tolerance, gjk);
     if (gjk.outcome == GjkState::Outcome::touching) return touching_distance(pair, gjk, of_gjk(gjk));
     if (is_flat_faced && gjk.outcome == GjkState::Outcome::converged) return of_gjk(gjk);
-    const CoreDistance result = polished(pair, gjk);
+    CoreDistance result = polished(pair, gjk);
     if (result.best.value > 0 && result.upper - result.best.value <= pair.rounding) return result;
     if (gjk.outcome == GjkState::Outcome::stalled) return touching_distance(pair, gjk, result);
     tolerance *= kGapFactor;

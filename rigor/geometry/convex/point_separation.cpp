@@ -67,7 +67,7 @@ Height over_cone(double radius, double half_length, const Vec3& p) {
   const double below_apex = half_length - at.z;
   const double over_base = -half_length - at.z;
   const double over_side = (at.rho * length - below_apex * radius) / slant;
-  const Height side{over_side, at.vector(length / slant, radius / slant)};
+  Height side{over_side, at.vector(length / slant, radius / slant)};
   const Height base{over_base, Vec3(0, 0, -1)};
   if (over_side <= 0 && over_base <= 0) return over_side > over_base ? side : base;
 

@@ -91,6 +91,7 @@ class Growth {
     }
     corners = sorted_unique(std::move(corners));
     std::vector<Vec3> points;
+    points.reserve(corners.size());
     for (const int v : corners) points.push_back(mesh_.vertices[at(v)]);
     std::variant<ConvexHull, std::string> hull = make_convex_hull(points);
     if (!std::holds_alternative<ConvexHull>(hull)) return;

@@ -84,6 +84,7 @@ std::optional<SolidPart> find_union(const SolidPart& a, const SolidPart& b, cons
 std::vector<SolidPart> joined_parts(std::vector<SolidPart> parts, const FacePlanes& planes,
                                     double most_excess) {
   std::vector<Aabb> boxes;
+  boxes.reserve(parts.size());
   for (const SolidPart& part : parts) boxes.push_back(box_of(part.hull, planes.tolerance));
   bool has_changed = true;
   // A union may be joined further, so the pairs are examined until none is left. Only parts whose boxes meet

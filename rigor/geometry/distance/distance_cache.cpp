@@ -42,7 +42,7 @@ class Query {
     cache_.steps = 0;
     // Bodies that overlapped in the last query probably still do: climb from the last face of the difference.
     if (cache_.is_known && cache_.is_overlapping) {
-      if (const std::optional<DistanceResult> depth = penetration(cache_.features)) return depth;
+      if (std::optional<DistanceResult> depth = penetration(cache_.features)) return depth;
     }
     // Otherwise walk from the last nearest features, or from the vertices that face each other.
     const FeatureWalk walk =

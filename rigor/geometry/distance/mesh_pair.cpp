@@ -162,7 +162,7 @@ MeshPairDistance mesh_pair_distance(const Mesh& a, const Mesh& b, const Pose& X_
 
   // The last nearest triangles, at the new pose, limit the distance from the start.
   const auto finished = [cache](const NearestPair& nearest) {
-    const MeshPairDistance result = nearest.result();
+    MeshPairDistance result = nearest.result();
     cache->triangle_A = result.triangle_A;
     cache->triangle_B = result.triangle_B;
     return result;
