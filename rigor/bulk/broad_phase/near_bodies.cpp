@@ -135,9 +135,9 @@ FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
   FloatBox wide = shifted(boxes.box[at(body)], shift);
   for (int k = 0; k < 3; ++k) {
-    const float shift = steps * (boxes.h * boxes.motion[at(body)].v[k]);
-    wide.lower[k] += std::min(shift, 0.0f) - room * cell_;
-    wide.upper[k] += std::max(shift, 0.0f) + room * cell_;
+    const float ahead = steps * (boxes.h * boxes.motion[at(body)].v[k]);
+    wide.lower[k] += std::min(ahead, 0.0f) - room * cell_;
+    wide.upper[k] += std::max(ahead, 0.0f) + room * cell_;
   }
   return wide;
 }

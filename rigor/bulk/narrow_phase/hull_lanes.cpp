@@ -56,7 +56,7 @@ RIGOR_FLOAT_LANES SupportSet support_set_kernel(const LaneColumns& points, int c
     highest = float_max(highest, heights_at(points, direction, k));
   const FloatLanes top = spread_max(highest), least = top - float_lanes(drop);
   // How many points are lower by no more than the drop.
-  SupportSet summit{top[0], 0};
+  SupportSet set{top[0], 0};
   for (std::size_t k = 0; k < points.count; k += kLaneCount) {
     unsigned bits = lane_bits(heights_at(points, direction, k) >= least);
     // The padding of the columns does not count.
