@@ -12,7 +12,7 @@ struct alignas(32) FreeNode {
   FloatVec3 axes[2];       ///< The first two principal axes.
   FloatVec3 push, moment;  ///< Impulse that children give, and its moment about the centre of mass.
   FloatVec3 change_v, change_w;
-  // Resistance that children add to velocities v and ω: (M, B; Bᵀ, J), with the columns of Bᵀ.
+  // Articulated inertia that children add to velocities v and ω: (M, B; Bᵀ, J), with the columns of Bᵀ.
   FloatSym3 M, J;
   FloatVec3 B[3];
 
@@ -57,9 +57,9 @@ RIGOR_FLOAT_LANES FloatLanes less_dot(const FloatLanes& c, const FloatVec3& a, c
   return fused(-a.z, b.z, fused(-a.y, b.y, fused(-a.x, b.x, c)));
 }
 
-/// Adds the resistance S of the child, at the anchor of the parent, to that of the parent: with u = v - s × ω
-/// it is (S, s~ S; ., -s~ S s~) for v and ω, s being the arm of the parent.
-RIGOR_FLOAT_LANES void give_resistance(const FreeJoint& joint, const FreeNode& node, FreeNode& parent) {
+/// Adds the articulated inertia S of the child, at the anchor of the parent, to that of the parent: with u =
+/// v - s × ω it is (S, s~ S; ., -s~ S s~) for v and ω, s being the arm of the parent.
+RIGOR_FLOAT_LANES void add_to_parent(const FreeJoint& joint, const FreeNode& node, FreeNode& parent) {
   const FloatSym3& S = node.S;
   const FloatVec3& s = node.arm_parent;
   const FloatVec3 N[3] = {fused_cross(s, {S.xx, S.xy, S.xz}), fused_cross(s, {S.xy, S.yy, S.yz}),
@@ -101,12 +101,12 @@ RIGOR_FLOAT_LANES FloatSym3 inertia_of(const ContactFreeChains::Body& body, cons
   return sum;
 }
 
-/// As factor_ball(): the resistance of the child to velocities u of its anchor and ω, and S of the anchor if
-/// the child rotates freely.
+/// As factor_ball(): the articulated inertia of the child to velocities u of its anchor and ω, and S of the
+/// anchor if the child rotates freely.
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void factor_free(const ContactFreeChains::Body& body, const FreeJoint& joint,
                                    FreeNode& node) {
-  // The resistance (M, B; Bᵀ, J) about the centre of mass: of the body and of all that hangs on it.
+  // The articulated inertia (M, B; Bᵀ, J) about the centre of mass: of the body and of all that hangs on it.
   const FloatLanes zero = splat(0);
   const FloatVec3& r = node.arm_child;
   FloatSym3 M = {body.mass, body.mass, body.mass, zero, zero, zero};
@@ -185,7 +185,7 @@ RIGOR_FLOAT_LANES void gather_free(const FreeJoint& joint, FreeNode& node, FreeN
 /// On the way back: the velocity of the anchor, the change of the child's velocities and the impulse of the
 /// joint.
 RIGOR_FLOAT_LANES void spread_free(const FreeJoint& joint, const FreeNode* parent, FreeNode& node) {
-  // u = b + u_parent; the root of a tree that floats moves as its own resistance lets it.
+  // u = b + u_parent; the root of a tree that floats moves as its own articulated inertia lets it.
   FloatVec3 u;
   if (joint.parent < 0) {
     u = solve_symmetric(node.S, node.pull);
@@ -224,14 +224,14 @@ struct FreeStep {
   }
 };
 
-/// Factors of all resistances, from the leaves to the root.
+/// Factors of all articulated inertias, from the leaves to the root.
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void factor_all(const FreeStep& step) {
   for (std::size_t i = 0; i < step.moved(); ++i) {
     const FreeJoint& joint = step.tables.joints[i];
     FreeNode& node = step.nodes[i];
     factor_free<of_revolution>(step.tables.bodies[i], joint, node);
-    if (joint.parent_is_free) give_resistance(joint, node, *step.parent_of(i));
+    if (joint.parent_is_free) add_to_parent(joint, node, *step.parent_of(i));
   }
 }
 
@@ -303,7 +303,7 @@ RIGOR_FLOAT_LANES void displace_all(const FreeStep& step) {
     FreeNode* const parent = step.parent_of(i);
     displace<of_revolution>(step.h, parent, node);
     factor_free<of_revolution>(step.tables.bodies[i], joint, node);
-    if (joint.parent_is_free) give_resistance(joint, node, *parent);
+    if (joint.parent_is_free) add_to_parent(joint, node, *parent);
   }
 }
 

@@ -69,7 +69,7 @@ RIGOR_FLOAT_LANES void slow_in_lanes(JointBlock& block) {
   for (JointSlot& slot : block.slots) {
     slot.rotation = lane_rotation(slot.dr);
     update_inertia(slot);
-    set_resistance(slot);
+    set_body_inertia(slot);
   }
 
   // From the leaves up: factors, rates and pushes; then from the root down.

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "rigor/bulk/joints/anchor_resistance.hpp"
+#include "rigor/bulk/joints/articulated_inertia.hpp"
 #include "rigor/bulk/joints/joint_factors.hpp"
 #include "rigor/bulk/joints/joint_rotations.hpp"
 
 namespace rigor {
 
 // Ball joints without laws, whose children are taken into a tree by what their anchors resist:
-// docs/theory/bulk_joints.md, §2. A is the resistance of a child, lower triangle: translation, then rotation.
+// docs/theory/bulk_joints.md, §2. A is the articulated inertia of a child, lower triangle: translation, then
+// rotation.
 
 /// The arms where the bodies are.
 RIGOR_FLOAT_LANES void aim_ball(const JointLink& link, const JointSlot& child, const JointSlot& parent,
@@ -26,12 +27,12 @@ RIGOR_FLOAT_LANES FloatVec3 solve_rotation(const BallLanes& ball, FloatVec3 x) {
   return x;
 }
 
-/// Factors of one joint, whose child has all of its resistance; adds what the anchor resists to that of the
-/// parent.
+/// Factors of one joint, whose child has all of its articulated inertia; adds what the anchor resists to that
+/// of the parent.
 RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                    BallLanes& ball) {
-  const FloatLanes* A = child.resistance;
-  const AnchorResistance all = resistance_at(ball.arm_child, A);
+  const FloatLanes* A = child.inertia;
+  const ArticulatedInertia all = articulated_inertia_at(ball.arm_child, A);
   const FloatVec3* H = all.H;
   const FloatSym3& J = all.J;
 
@@ -59,7 +60,7 @@ RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child
   const FloatVec3& s = ball.arm_parent;
   const FloatVec3 N[3] = {cross(s, {S.xx, S.xy, S.xz}), cross(s, {S.xy, S.yy, S.yz}),
                           cross(s, {S.xz, S.yz, S.zz})};  // Columns of s~ S.
-  FloatLanes* P = parent.resistance;
+  FloatLanes* P = parent.inertia;
   P[0] += S.xx;
   P[1] += S.xy;
   P[2] += S.yy;

@@ -57,7 +57,7 @@ void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes&
 }
 
 /// Mass and moments of a body that joints move, if it is dynamic; else it does not give way, and its
-/// resistance is not asked for. Lanes without a body: of unit mass.
+/// articulated inertia is not asked for. Lanes without a body: of unit mass.
 void set_masses(const Body* body, bool gives_way, int lane, JointSlot& slot) {
   slot.mass[lane] = body == nullptr || !gives_way ? 1 : static_cast<float>(body->mass);
   slot.inverse_mass[lane] = gives_way ? 1 / slot.mass[lane] : 0;

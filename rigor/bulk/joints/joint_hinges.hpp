@@ -1,17 +1,17 @@
 #pragma once
 
-#include "rigor/bulk/joints/anchor_resistance.hpp"
+#include "rigor/bulk/joints/articulated_inertia.hpp"
 
 namespace rigor {
 
-// Hinges in a tree, taken up by what their one free rotation leaves of the child's resistance:
+// Hinges in a tree, taken up by what their one free rotation leaves of the child's articulated inertia:
 // docs/theory/bulk_joints.md, §2. Rows: three of the anchor, two across the axis, and that of the law.
 
 /// The rows of a hinge.
 constexpr int kHingeSwing = 3, kHingeLaw = 5;
 
-/// Adds a resistance at the anchor to that of a body, whose centre is at -s from it.
-RIGOR_FLOAT_LANES void add_resistance_at(const FloatVec3& s, const AnchorResistance& A, FloatLanes* P) {
+/// Adds an articulated inertia at the anchor to that of a body, whose centre is at -s from it.
+RIGOR_FLOAT_LANES void add_inertia_at(const FloatVec3& s, const ArticulatedInertia& A, FloatLanes* P) {
   const FloatSym3 &M = A.M, &J = A.J;
   const FloatVec3* H = A.H;
   // u = v - s × ω: forces f at the anchor are the torques s × f about the centre.
@@ -62,15 +62,15 @@ RIGOR_FLOAT_LANES void subtract_outer(const FloatVec3& a, const FloatVec3& b, Fl
   S.zz -= a.z * b.z;
 }
 
-/// Factors of one joint, whose child has all of its resistance; adds what is left of that to the parent's.
-/// Where the law is off the child rotates freely about the axis s, and the anchor resists with
-/// A - A s sᵀ A / sᵀ A s; where it is on only as far as it is soft.
+/// Factors of one joint, whose child has all of its articulated inertia; adds what is left of that to the
+/// parent's. Where the law is off the child rotates freely about the axis s, and the anchor resists with A -
+/// A s sᵀ A / sᵀ A s; where it is on only as far as it is soft.
 RIGOR_FLOAT_LANES void factor_hinge(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                     const JointLanes& joint, HingeLanes& hinge) {
   hinge.arm_child = arm_of(link.child_is_B ? joint.a_B : joint.a_A);
   hinge.arm_parent = arm_of(link.child_is_B ? joint.a_A : joint.a_B);
   const FloatVec3 axis = cross(joint.a_B[kHingeSwing], joint.a_B[kHingeSwing + 1]);
-  const AnchorResistance all = resistance_at(hinge.arm_child, child.resistance);
+  const ArticulatedInertia all = articulated_inertia_at(hinge.arm_child, child.inertia);
   hinge.all = all;
 
   // A s, s being the rotation about the axis, and the pieces of the law.
@@ -87,13 +87,13 @@ RIGOR_FLOAT_LANES void factor_hinge(const JointLink& link, const JointSlot& chil
 
   // What the parent feels.
   const FloatVec3 &f = hinge.axis_force, &t = hinge.axis_torque, a = hinge.yields * f, b = hinge.yields * t;
-  AnchorResistance left = all;
+  ArticulatedInertia left = all;
   subtract_outer(a, f, left.M);
   left.H[0] = left.H[0] - a.x * t;
   left.H[1] = left.H[1] - a.y * t;
   left.H[2] = left.H[2] - a.z * t;
   subtract_outer(b, t, left.J);
-  add_resistance_at(hinge.arm_parent, left, parent.resistance);
+  add_inertia_at(hinge.arm_parent, left, parent.inertia);
 }
 
 /// On the way to the root: what of the child's push p the changes b that are wanted leave, p - A b, and what
@@ -113,7 +113,7 @@ RIGOR_FLOAT_LANES void gather_hinge(const JointLink& link, const JointSlot& chil
   const FloatVec3 force{p[0], p[1], p[2]};
   const FloatVec3 torque = FloatVec3{p[3], p[4], p[5]} - cross(hinge.arm_child, force);
   FloatVec3 held_force, held_torque;
-  resist(hinge.all, hinge.wanted_u, hinge.wanted_w, held_force, held_torque);
+  apply_inertia(hinge.all, hinge.wanted_u, hinge.wanted_w, held_force, held_torque);
   hinge.force = force - held_force;
   hinge.torque = torque - held_torque;
   hinge.about_axis = dot(hinge.axis, hinge.torque);
@@ -142,7 +142,7 @@ RIGOR_FLOAT_LANES void spread_hinge(const JointLink& link, const JointSlot& pare
 
   // The impulse on the child, along the rows.
   FloatVec3 force, torque;
-  resist(hinge.all, u, w, force, torque);
+  apply_inertia(hinge.all, u, w, force, torque);
   const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
   force = sign * (force - hinge.force);
   torque = sign * (torque - hinge.torque);

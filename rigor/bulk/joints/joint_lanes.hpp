@@ -25,10 +25,10 @@ struct alignas(32) JointSlot {
   FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
   FloatQuat rotation;                         ///< Since the beginning of the step.
   FloatQuat next_rotation;                    ///< The same at the end of the substep, if velocities stay.
-  FloatLanes resistance[21];  ///< To a push: of the body and of all that hangs on it; lower triangle.
-  FloatLanes push[6];         ///< Impulse that is to be taken up.
-  FloatLanes change[6];       ///< Of v and w, by the last solve.
-  FloatVec3 made_v, made_w;   ///< All of the changes in this substep.
+  FloatLanes inertia[21];    ///< Articulated: of the body and of all that hangs on it; lower triangle.
+  FloatLanes push[6];        ///< Impulse that is to be taken up.
+  FloatLanes change[6];      ///< Of v and w, by the last solve.
+  FloatVec3 made_v, made_w;  ///< All of the changes in this substep.
 };
 
 constexpr int kMostJointRows = 6;
@@ -55,8 +55,8 @@ struct alignas(32) JointLanes {
   FloatLanes coordinate[kMostJointRows], rate[kMostJointRows], mobility[kMostJointRows];
   bool has_law_on = false;  ///< Whether one is on in any lane; else the rows of laws are left out.
 
-  // Factors: L Lᵀ is the resistance of the child, F Fᵀ = C (L Lᵀ)⁻¹ Cᵀ + softness that of the joint, with its
-  // rows C on the child and P on the parent.
+  // Factors: L Lᵀ is the articulated inertia of the child, F Fᵀ = C (L Lᵀ)⁻¹ Cᵀ + softness that of the joint,
+  // with its rows C on the child and P on the parent.
   FloatLanes L[21];
   FloatLanes W[36];  ///< L⁻¹ Cᵀ, by columns.
   FloatLanes F[21];
@@ -68,16 +68,16 @@ struct alignas(32) JointLanes {
 struct alignas(32) BallLanes {
   FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
   FloatVec3 wanted;  ///< Change of the anchor's velocity on the child against that on the parent.
-  // Factors. Resistance of the child to velocities u of its anchor and ω: (S, H; Hᵀ, L D Lᵀ).
+  // Factors. Articulated inertia of the child to velocities u of its anchor and ω: (S, H; Hᵀ, L D Lᵀ).
   FloatLanes inverse_D[3], L[3];  ///< L: elements 10, 20, 21.
   FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
-  FloatSym3 S;                    ///< Resistance of the anchor to u if the child rotates freely.
+  FloatSym3 S;                    ///< Articulated inertia of the anchor to u if the child rotates freely.
   FloatVec3 free_dw,
       pull;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
 };
 
 /// What a body and all that hangs on it resist at an anchor, to its velocity u and to ω: (M, H; Hᵀ, J).
-struct AnchorResistance {
+struct ArticulatedInertia {
   FloatSym3 M, J;
   FloatVec3 H[3];  ///< Rows.
 };
@@ -85,7 +85,7 @@ struct AnchorResistance {
 /// A hinge in a tree in lanes, on its way from the child up (docs/theory/bulk_joints.md, §2).
 struct alignas(32) HingeLanes {
   FloatVec3 arm_child, arm_parent, axis;  ///< Arms from the centres to the anchor [m].
-  AnchorResistance all;                   ///< Of the child.
+  ArticulatedInertia all;                 ///< Of the child.
   FloatVec3 axis_force, axis_torque;      ///< What it resists to a rotation about the axis.
   FloatLanes follows, yields;  ///< How far that rotation is what is wanted, and gives way to a torque.
   // Changes of the child against the parent that are wanted, and the push that these leave.

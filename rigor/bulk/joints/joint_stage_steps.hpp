@@ -110,7 +110,7 @@ RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block)
       update_inverse_inertia(slot);
     }
     // What it resists without its children.
-    if (stage == JointStage::factor && !block.loops) set_resistance(slot);
+    if (stage == JointStage::factor && !block.loops) set_body_inertia(slot);
     // Where it will be, if velocities stay.
     if (stage == JointStage::position_error) {
       slot.next_rotation = rotation_on(slot.dr, float_lanes(h) * slot.w);

@@ -17,7 +17,7 @@ void store_slots(const std::vector<JointRecords>& records, LaneTarget target, co
 
 enum class JointStage {
   aim,             ///< Rows of the joints where the bodies are.
-  factor,          ///< Factors of all resistances.
+  factor,          ///< Factors of all articulated inertias.
   rates,           ///< Rates and mobilities of the rows of joints with laws.
   position_error,  ///< Residuals: by how much positions will be off after the time h, and the laws.
   drift,           ///< Residuals: the rates.

@@ -7,19 +7,19 @@ namespace rigor {
 // What ball joints and hinges in trees share: what a body resists at an anchor, and what goes up and down a
 // tree (docs/theory/bulk_joints.md, §2).
 
-/// Force and torque of a resistance at the anchor to (u, ω).
-RIGOR_FLOAT_LANES void resist(const AnchorResistance& A, const FloatVec3& u, const FloatVec3& w,
-                              FloatVec3& force, FloatVec3& torque) {
+/// Force and torque of an articulated inertia at the anchor to (u, ω).
+RIGOR_FLOAT_LANES void apply_inertia(const ArticulatedInertia& A, const FloatVec3& u, const FloatVec3& w,
+                                     FloatVec3& force, FloatVec3& torque) {
   force = A.M * u + FloatVec3{dot(A.H[0], w), dot(A.H[1], w), dot(A.H[2], w)};
   torque = (u.x * A.H[0] + (u.y * A.H[1] + u.z * A.H[2])) + A.J * w;
 }
 
-/// The resistance A of a body, lower triangle, at an anchor at r from its centre: v = u + r × ω.
-RIGOR_FLOAT_LANES AnchorResistance resistance_at(const FloatVec3& r, const FloatLanes* A) {
+/// The inertia A of a body, lower triangle, at an anchor at r from its centre: v = u + r × ω.
+RIGOR_FLOAT_LANES ArticulatedInertia articulated_inertia_at(const FloatVec3& r, const FloatLanes* A) {
   // Hᵀ = B - r~ M and J = A_ωω + Hᵀ r~ + (B r~)ᵀ.
   const FloatVec3 M[3] = {{A[0], A[1], A[3]}, {A[1], A[2], A[4]}, {A[3], A[4], A[5]}};
   const FloatVec3 B[3] = {{A[6], A[10], A[15]}, {A[7], A[11], A[16]}, {A[8], A[12], A[17]}};  // Columns.
-  AnchorResistance at;
+  ArticulatedInertia at;
   at.M = {A[0], A[2], A[5], A[1], A[3], A[4]};
   for (int j = 0; j < 3; ++j) at.H[j] = B[j] - cross(r, M[j]);
   const FloatVec3* H = at.H;
