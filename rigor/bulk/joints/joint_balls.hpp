@@ -31,7 +31,7 @@ RIGOR_FLOAT_LANES FloatVec3 solve_rotation(const BallLanes& ball, FloatVec3 x) {
 /// of the parent.
 RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                    BallLanes& ball) {
-  const FloatLanes* A = child.inertia;
+  const FloatLanes* A = child.articulated;
   const ArticulatedInertia all = articulated_inertia_at(ball.arm_child, A);
   const FloatVec3* H = all.H;
   const FloatSym3& J = all.J;
@@ -60,7 +60,7 @@ RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child
   const FloatVec3& s = ball.arm_parent;
   const FloatVec3 N[3] = {cross(s, {S.xx, S.xy, S.xz}), cross(s, {S.xy, S.yy, S.yz}),
                           cross(s, {S.xz, S.yz, S.zz})};  // Columns of s~ S.
-  FloatLanes* P = parent.inertia;
+  FloatLanes* P = parent.articulated;
   P[0] += S.xx;
   P[1] += S.xy;
   P[2] += S.yy;
@@ -110,11 +110,11 @@ RIGOR_FLOAT_LANES void gather_ball(const JointLink& link, const JointSlot& child
   const FloatVec3 force{p[0], p[1], p[2]};
   const FloatVec3 torque = FloatVec3{p[3], p[4], p[5]} - cross(ball.arm_child, force);
   ball.free_dw = solve_rotation(ball, torque);
-  ball.pull = force - FloatVec3{dot(ball.G[0], torque), dot(ball.G[1], torque), dot(ball.G[2], torque)};
+  ball.reaction = force - FloatVec3{dot(ball.G[0], torque), dot(ball.G[1], torque), dot(ball.G[2], torque)};
   if (!link.parent_is_free) return;
 
   // The parent feels q - S b at its anchor.
-  const FloatVec3 f = ball.pull - ball.S * ball.wanted;
+  const FloatVec3 f = ball.reaction - ball.S * ball.wanted;
   const FloatVec3 about = cross(ball.arm_parent, f);
   add_push(f, about, parent);
 }
@@ -135,7 +135,7 @@ RIGOR_FLOAT_LANES void spread_ball(const JointLink& link, const JointSlot& paren
   set_change(v, w, child);
 
   // λ = S u - q, on the child.
-  const FloatVec3 impulse = ball.S * u - ball.pull;
+  const FloatVec3 impulse = ball.S * u - ball.reaction;
   const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
   joint.impulse[0] += sign * impulse.x;
   joint.impulse[1] += sign * impulse.y;

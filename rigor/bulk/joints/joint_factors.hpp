@@ -46,15 +46,15 @@ RIGOR_FLOAT_LANES void solve_upper(int size, const FloatLanes* L, FloatLanes* x)
 
 /// The inertia of a body alone: its mass matrix.
 RIGOR_FLOAT_LANES void set_body_inertia(JointSlot& slot) {
-  for (FloatLanes& e : slot.inertia) e = float_lanes(0);
+  for (FloatLanes& e : slot.articulated) e = float_lanes(0);
   const FloatSym3& I = slot.inertia;
-  for (int k = 0; k < 3; ++k) slot.inertia[lower(k, k)] = slot.mass;
-  slot.inertia[lower(3, 3)] = I.xx;
-  slot.inertia[lower(4, 3)] = I.xy;
-  slot.inertia[lower(4, 4)] = I.yy;
-  slot.inertia[lower(5, 3)] = I.xz;
-  slot.inertia[lower(5, 4)] = I.yz;
-  slot.inertia[lower(5, 5)] = I.zz;
+  for (int k = 0; k < 3; ++k) slot.articulated[lower(k, k)] = slot.mass;
+  slot.articulated[lower(3, 3)] = I.xx;
+  slot.articulated[lower(4, 3)] = I.xy;
+  slot.articulated[lower(4, 4)] = I.yy;
+  slot.articulated[lower(5, 3)] = I.xz;
+  slot.articulated[lower(5, 4)] = I.yz;
+  slot.articulated[lower(5, 5)] = I.zz;
 }
 
 /// Inertia in W where the body is: of principal axes e and moments I, with E the identity,
@@ -94,7 +94,7 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
                                     JointSlot& parent, JointLanes& joint) {
   // L of the child.
   const auto [size, held] = count;
-  for (int k = 0; k < 21; ++k) joint.L[k] = child.inertia[k];
+  for (int k = 0; k < 21; ++k) joint.L[k] = child.articulated[k];
   factor_lower(6, joint.L);
 
   // W = L⁻¹ Cᵀ, row after row of C, and K = Wᵀ W + softness. Rows of laws count in the lanes where they are
@@ -136,16 +136,16 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
   // A_parent += Xᵀ X = Pᵀ K⁻¹ P.
   for (int i = 0; i < 6; ++i) {
     for (int k = 0; k <= i; ++k) {
-      FloatLanes e = parent.inertia[lower(i, k)];
+      FloatLanes e = parent.articulated[lower(i, k)];
       for (int r = 0; r < size; ++r) e += joint.X[6 * r + i] * joint.X[6 * r + k];
-      parent.inertia[lower(i, k)] = e;
+      parent.articulated[lower(i, k)] = e;
     }
   }
 }
 
 /// The root of a tree that floats: L Lᵀ is its articulated inertia, t = L⁻¹ p, and its change is L⁻ᵀ t.
 RIGOR_FLOAT_LANES void factor_root(const JointSlot& slot, JointLanes& root) {
-  for (int k = 0; k < 21; ++k) root.L[k] = slot.inertia[k];
+  for (int k = 0; k < 21; ++k) root.L[k] = slot.articulated[k];
   factor_lower(6, root.L);
 }
 RIGOR_FLOAT_LANES void gather_root(const JointSlot& slot, JointLanes& root) {

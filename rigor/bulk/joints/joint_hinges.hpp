@@ -70,7 +70,7 @@ RIGOR_FLOAT_LANES void factor_hinge(const JointLink& link, const JointSlot& chil
   hinge.arm_child = arm_of(link.child_is_B ? joint.a_B : joint.a_A);
   hinge.arm_parent = arm_of(link.child_is_B ? joint.a_A : joint.a_B);
   const FloatVec3 axis = cross(joint.a_B[kHingeSwing], joint.a_B[kHingeSwing + 1]);
-  const ArticulatedInertia all = articulated_inertia_at(hinge.arm_child, child.inertia);
+  const ArticulatedInertia all = articulated_inertia_at(hinge.arm_child, child.articulated);
   hinge.all = all;
 
   // A s, s being the rotation about the axis, and the pieces of the law.
@@ -93,7 +93,7 @@ RIGOR_FLOAT_LANES void factor_hinge(const JointLink& link, const JointSlot& chil
   left.H[1] = left.H[1] - a.y * t;
   left.H[2] = left.H[2] - a.z * t;
   subtract_outer(b, t, left.J);
-  add_inertia_at(hinge.arm_parent, left, parent.inertia);
+  add_inertia_at(hinge.arm_parent, left, parent.articulated);
 }
 
 /// On the way to the root: what of the child's push p the changes b that are wanted leave, p - A b, and what

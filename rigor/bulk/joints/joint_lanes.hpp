@@ -25,10 +25,10 @@ struct alignas(32) JointSlot {
   FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
   FloatQuat rotation;                         ///< Since the beginning of the step.
   FloatQuat next_rotation;                    ///< The same at the end of the substep, if velocities stay.
-  FloatLanes inertia[21];    ///< Articulated: of the body and of all that hangs on it; lower triangle.
-  FloatLanes push[6];        ///< Impulse that is to be taken up.
-  FloatLanes change[6];      ///< Of v and w, by the last solve.
-  FloatVec3 made_v, made_w;  ///< All of the changes in this substep.
+  FloatLanes articulated[21];  ///< Inertia: of the body and of all that hangs on it; lower triangle.
+  FloatLanes push[6];          ///< Impulse that is to be taken up.
+  FloatLanes change[6];        ///< Of v and w, by the last solve.
+  FloatVec3 made_v, made_w;    ///< All of the changes in this substep.
 };
 
 constexpr int kMostJointRows = 6;
@@ -73,7 +73,7 @@ struct alignas(32) BallLanes {
   FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
   FloatSym3 S;                    ///< Articulated inertia of the anchor to u if the child rotates freely.
   FloatVec3 free_dw,
-      pull;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
+      reaction;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
 };
 
 /// What a body and all that hangs on it resist at an anchor, to its velocity u and to ω: (M, H; Hᵀ, J).

@@ -32,7 +32,7 @@ void draw_slot(Draw& draw, JointSlot& slot) {
     for (int k = 0; k <= i; ++k) {
       FloatLanes e = float_lanes(i == k ? 1 : 0);
       for (int j = 0; j < 6; ++j) e += G[6 * i + j] * G[6 * k + j];
-      slot.inertia[lower(i, k)] = e;
+      slot.articulated[lower(i, k)] = e;
     }
     slot.push[i] = draw_lanes(draw, -1, 1);
     slot.change[i] = draw_lanes(draw, -1, 1);
@@ -91,7 +91,7 @@ TEST(JointHinges, AreSolvedLikeRowsOfAnyJoint) {
     spread_hinge(link, parent, child, joint, hinge);
     spread_change(link, 6, parent_of_rows, child_of_rows, rows);
 
-    for (int k = 0; k < 21; ++k) expect_near(parent.inertia[k], parent_of_rows.inertia[k], "inertia");
+    for (int k = 0; k < 21; ++k) expect_near(parent.articulated[k], parent_of_rows.articulated[k], "inertia");
     for (int k = 0; k < 6; ++k) expect_near(parent.push[k], parent_of_rows.push[k], "push");
     for (int k = 0; k < 6; ++k) expect_near(child.change[k], child_of_rows.change[k], "change");
     for (int k = 0; k < 6; ++k) expect_near(joint.impulse[k], rows.impulse[k], "impulse");
