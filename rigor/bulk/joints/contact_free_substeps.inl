@@ -25,7 +25,7 @@ struct alignas(32) FreeNode {
   FloatVec3 G[3];
   FloatSym3 S;
   FloatVec3 free_dw,
-      pull;  ///< As in BallLanes: the change of ω if the anchor is held, and what is taken up there.
+      reaction;  ///< As in BallLanes: the change of ω if the anchor is held, and what is taken up there.
 };
 
 using FreeTables = ContactFreeChains::Tables;
@@ -163,16 +163,16 @@ RIGOR_FLOAT_LANES void gather_free(const FreeJoint& joint, FreeNode& node, FreeN
 
   // J⁻¹ p_ω and q = p_u - H J⁻¹ p_ω.
   node.free_dw = solve_rotation(node, torque);
-  node.pull = {less_dot(push.x, node.G[0], torque), less_dot(push.y, node.G[1], torque),
-               less_dot(push.z, node.G[2], torque)};
+  node.reaction = {less_dot(push.x, node.G[0], torque), less_dot(push.y, node.G[1], torque),
+                   less_dot(push.z, node.G[2], torque)};
   if (!joint.parent_is_free) return;
 
   // The parent feels q - S b at its anchor.
   const FloatSym3& S = node.S;
   const FloatVec3& u = node.wanted;
-  const FloatVec3 f = {less_dot(node.pull.x, {S.xx, S.xy, S.xz}, u),
-                       less_dot(node.pull.y, {S.xy, S.yy, S.yz}, u),
-                       less_dot(node.pull.z, {S.xz, S.yz, S.zz}, u)};
+  const FloatVec3 f = {less_dot(node.reaction.x, {S.xx, S.xy, S.xz}, u),
+                       less_dot(node.reaction.y, {S.xy, S.yy, S.yz}, u),
+                       less_dot(node.reaction.z, {S.xz, S.yz, S.zz}, u)};
   if (joint.is_first) {
     parent->push = f;
     parent->moment = fused_cross(node.arm_parent, f);
@@ -188,7 +188,7 @@ RIGOR_FLOAT_LANES void spread_free(const FreeJoint& joint, const FreeNode* paren
   // u = b + u_parent; the root of a tree that floats moves as its own articulated inertia lets it.
   FloatVec3 u;
   if (joint.parent < 0) {
-    u = solve_symmetric(node.S, node.pull);
+    u = solve_symmetric(node.S, node.reaction);
   } else if (joint.parent_is_free) {
     u = fused_cross(parent->change_w, node.arm_parent, node.wanted + parent->change_v);
   } else {
@@ -199,7 +199,7 @@ RIGOR_FLOAT_LANES void spread_free(const FreeJoint& joint, const FreeNode* paren
   const FloatVec3* G = node.G;
   node.change_w = fused(-u.x, G[0], fused(-u.y, G[1], fused(-u.z, G[2], node.free_dw)));
   node.change_v = fused_cross(node.arm_child, node.change_w, u);
-  node.impulse = node.impulse + (fused_product(node.S, u) - node.pull);
+  node.impulse = node.impulse + (fused_product(node.S, u) - node.reaction);
   node.v = node.v + node.change_v;
   node.w = node.w + node.change_w;
 }

@@ -30,7 +30,7 @@ DistanceResult mesh_solid_distance(const Mesh& a, const Pose& X_WA, const Shape&
   if (pieces_a.empty() || pieces_b.empty()) return deepest_point(a, X_WA, b, X_WB);
   if (other == nullptr) {
     // The centre of a convex shape may be known to lie deeper than any piece tells.
-    const DistanceResult solid = pieces_distance(pieces_a, pieces_b);
+    DistanceResult solid = pieces_distance(pieces_a, pieces_b);
     if (solid.distance >= 0) return solid;
     const DistanceResult known = signed_distance(a, X_WA, b, X_WB);
     return known.upper < solid.distance ? known : solid;

@@ -73,10 +73,11 @@ std::optional<ClearPoint> roomiest(const Shape& shape, const Aabb& box) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int k = 0; k < lines * lines; ++k) {
       // A ray along the axis, from outside of the box.
+      const int column = k % lines, row = k / lines;
       Vec3 from = box.lower;
       from[axis] -= 0.1 * size[axis];
-      from[u] += size[u] * (k % lines + 0.47) / lines;
-      from[v] += size[v] * (k / lines + 0.53) / lines;
+      from[u] += size[u] * (column + 0.47) / lines;
+      from[v] += size[v] * (row + 0.53) / lines;
       const std::vector<RayHit> hits =
           find_ray_hits(shape, in_place, {from, 1.2 * size[axis] * Vec3::Unit(axis), 1});
       for (std::size_t i = 1; i < hits.size(); ++i) {

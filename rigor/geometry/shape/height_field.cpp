@@ -62,6 +62,7 @@ class HeightFieldMesh {
   std::vector<int> rim() const {
     const int last_row = row_count_ - 1, last_column = column_count_ - 1;
     std::vector<int> points;
+    points.reserve(at(2 * (last_row + last_column)));
     for (int column = 0; column < last_column; ++column) points.push_back(point(0, column));
     for (int row = 0; row < last_row; ++row) points.push_back(point(row, last_column));
     for (int column = last_column; column > 0; --column) points.push_back(point(last_row, column));

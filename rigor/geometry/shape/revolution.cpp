@@ -58,6 +58,7 @@ double size_of(const std::vector<Ring>& rings) {
 /// 1979.
 std::vector<Ring> outer_chain(const std::vector<Vec2>& profile) {
   std::vector<Ring> sorted;
+  sorted.reserve(profile.size());
   for (const Vec2& p : profile) sorted.push_back({p.x(), p.y()});
   std::ranges::sort(
       sorted, [](const Ring& a, const Ring& b) { return a.z != b.z ? a.z < b.z : a.radius > b.radius; });

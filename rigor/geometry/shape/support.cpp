@@ -108,7 +108,7 @@ Vec3 support_point(const Shape& shape, const Vec3& d_S) {
     return core_support({.kind = ConvexCore::Kind::points, .points = mesh->mesh->vertices}, d_S).p;
   }
   const ConvexCore core = make_core(shape);
-  const Vec3 p = core_support(core, d_S).p;
+  Vec3 p = core_support(core, d_S).p;
   if (core.radius == 0) return p;
   return p + core.radius / d_S.norm() * d_S;
 }

@@ -50,7 +50,7 @@ std::string number_hint(std::string_view text) {
 
 NumberText parse_number(std::string_view text) {
   if (const std::optional<double> special = special_number(text)) return {special, ""};
-  const NumberText none{std::nullopt, number_hint(text)};
+  NumberText none{std::nullopt, number_hint(text)};
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   // from_chars alone would accept words such as "inf" and the text "-+1".

@@ -112,7 +112,7 @@ class TreeBuilder : public YAML::EventHandler {
   Node make_node(const YAML::Mark& mark, YamlNode::Kind kind) {
     if (wants_key()) fail(mark, "a key that is not plain text, or a bracket that is not closed");
     count(mark, 1);
-    const Node node = std::make_shared<YamlNode>();
+    Node node = std::make_shared<YamlNode>();
     node->kind = kind;
     node->source = source_;
     std::tie(node->line, node->column) = place(mark);

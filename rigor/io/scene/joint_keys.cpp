@@ -141,6 +141,7 @@ KeyTable type_table(const JointTraits& traits) {
 
 std::vector<KeyTable> joint_key_tables() {
   std::vector<KeyTable> tables;
+  tables.reserve(joint_table.size());
   for (const JointTraits& traits : joint_table) tables.push_back(type_table(traits));
   const std::vector<KeyTable> parts = {
       {"angle_coordinate", "an angle", "coordinate", coordinate_keys(true)},

@@ -75,83 +75,96 @@ std::vector<std::string> KeyTable::names() const {
   return names;
 }
 
-std::vector<KeyTable> top_key_tables() {
+namespace {
+
+KeyTable world_table() {
+  return {"world",
+          "world",
+          "",
+          {
+              {"gravity", ValueType::vector, "m/s²", "[0, 0, -9.80665]", limits::gravity,
+               "acceleration of free fall"},
+          }};
+}
+
+KeyTable run_table() {
   const Range interval = limits::interval;
+  return {"run",
+          "run",
+          "",
+          {
+              {"duration", ValueType::number, "s", "10", {0, 1e9, true}, "simulated time"},
+              {"step", ValueType::number, "s", "0.01", interval, "target step"},
+              {"output_interval", ValueType::number, "s", "0.01", interval, "time between outputs"},
+              {"seed", ValueType::whole, "", "1", {0, 9007199254740992.0}, "seed of all random numbers"},
+          }};
+}
+
+KeyTable material_table() {
+  return {"material",
+          "a material",
+          "",
+          {
+              {"name",
+               ValueType::text,
+               "",
+               "required",
+               {},
+               "name; `default` applies to shapes without a material"},
+              {"density", ValueType::number, "kg/m³", "1000", limits::density, "density"},
+              {"friction", ValueType::number, "", "0.5", limits::friction, "Coulomb's coefficient"},
+              {"restitution", ValueType::number, "", "0", limits::restitution, "coefficient of restitution"},
+              {"tangential_restitution", ValueType::number, "", "0", limits::restitution,
+               "restitution of slip in an impact: 1 for a superball, 0 for friction alone"},
+              {"rolling_friction", ValueType::number, "m", "0", limits::length,
+               "arm of the moment that resists rolling"},
+              {"torsional_friction", ValueType::number, "m", "0", limits::length,
+               "arm of the moment that resists spinning"},
+              {"static_friction", ValueType::number, "", "`friction`", limits::friction,
+               "coefficient while sticking, until slip begins; at least `friction`"},
+          }};
+}
+
+KeyTable pair_table() {
   return {
-      scene_table(),
-      {"world",
-       "world",
-       "",
-       {
-           {"gravity", ValueType::vector, "m/s²", "[0, 0, -9.80665]", limits::gravity,
-            "acceleration of free fall"},
-       }},
-      {"run",
-       "run",
-       "",
-       {
-           {"duration", ValueType::number, "s", "10", {0, 1e9, true}, "simulated time"},
-           {"step", ValueType::number, "s", "0.01", interval, "target step"},
-           {"output_interval", ValueType::number, "s", "0.01", interval, "time between outputs"},
-           {"seed", ValueType::whole, "", "1", {0, 9007199254740992.0}, "seed of all random numbers"},
-       }},
-      method_table(),
-      {"material",
-       "a material",
-       "",
-       {
-           {"name",
-            ValueType::text,
-            "",
-            "required",
-            {},
-            "name; `default` applies to shapes without a material"},
-           {"density", ValueType::number, "kg/m³", "1000", limits::density, "density"},
-           {"friction", ValueType::number, "", "0.5", limits::friction, "Coulomb's coefficient"},
-           {"restitution", ValueType::number, "", "0", limits::restitution, "coefficient of restitution"},
-           {"tangential_restitution", ValueType::number, "", "0", limits::restitution,
-            "restitution of slip in an impact: 1 for a superball, 0 for friction alone"},
-           {"rolling_friction", ValueType::number, "m", "0", limits::length,
-            "arm of the moment that resists rolling"},
-           {"torsional_friction", ValueType::number, "m", "0", limits::length,
-            "arm of the moment that resists spinning"},
-           {"static_friction", ValueType::number, "", "`friction`", limits::friction,
-            "coefficient while sticking, until slip begins; at least `friction`"},
-       }},
-      {"pair",
-       "a pair",
-       "",
-       {
-           {"between", ValueType::names, "", "required", {}, "names of the two materials"},
-           {"friction", ValueType::number, "", "√(a b)", limits::friction, "instead of the materials'"},
-           {"restitution", ValueType::number, "", "max(a, b)", limits::restitution,
-            "instead of the materials'"},
-           {"tangential_restitution", ValueType::number, "", "max(a, b)", limits::restitution,
-            "instead of the materials'"},
-           {"rolling_friction", ValueType::number, "m", "√(a b)", limits::length,
-            "instead of the materials'"},
-           {"torsional_friction", ValueType::number, "m", "√(a b)", limits::length,
-            "instead of the materials'"},
-           {"static_friction", ValueType::number, "", "√(a b)", limits::friction,
-            "instead of the materials'; equal to `friction` if only that is given"},
-       }},
-      {"expectation",
-       "an expectation",
-       "",
-       {
-           {"body", ValueType::text, "", "required", {}, "name of the body"},
-           {"time", ValueType::number, "s", "required", {0, 1e9}, "time of the known pose"},
-           {"position", ValueType::vector, "m", "-", limits::position,
-            "position of the body's origin at that time"},
-           {"orientation",
-            ValueType::quaternion,
-            "",
-            "-",
-            {},
-            "orientation of the body's frame at that time"},
-           {"error", ValueType::number, "m", "0", limits::length, "uncertainty of `position` itself"},
-       }},
-  };
+      "pair",
+      "a pair",
+      "",
+      {
+          {"between", ValueType::names, "", "required", {}, "names of the two materials"},
+          {"friction", ValueType::number, "", "√(a b)", limits::friction, "instead of the materials'"},
+          {"restitution", ValueType::number, "", "max(a, b)", limits::restitution,
+           "instead of the materials'"},
+          {"tangential_restitution", ValueType::number, "", "max(a, b)", limits::restitution,
+           "instead of the materials'"},
+          {"rolling_friction", ValueType::number, "m", "√(a b)", limits::length, "instead of the materials'"},
+          {"torsional_friction", ValueType::number, "m", "√(a b)", limits::length,
+           "instead of the materials'"},
+          {"static_friction", ValueType::number, "", "√(a b)", limits::friction,
+           "instead of the materials'; equal to `friction` if only that is given"},
+      }};
+}
+
+KeyTable expectation_table() {
+  return {
+      "expectation",
+      "an expectation",
+      "",
+      {
+          {"body", ValueType::text, "", "required", {}, "name of the body"},
+          {"time", ValueType::number, "s", "required", {0, 1e9}, "time of the known pose"},
+          {"position", ValueType::vector, "m", "-", limits::position,
+           "position of the body's origin at that time"},
+          {"orientation", ValueType::quaternion, "", "-", {}, "orientation of the body's frame at that time"},
+          {"error", ValueType::number, "m", "0", limits::length, "uncertainty of `position` itself"},
+      }};
+}
+
+}  // namespace
+
+std::vector<KeyTable> top_key_tables() {
+  return {scene_table(),    world_table(), run_table(),        method_table(),
+          material_table(), pair_table(),  expectation_table()};
 }
 
 const std::vector<KeyTable>& key_tables() {

@@ -62,6 +62,7 @@ std::optional<Shape> read_revolution(const ObjectReader& shape) {
     return std::nullopt;
   }
   std::vector<Vec2> profile;
+  profile.reserve(rows.size());
   for (const std::vector<double>& row : rows) profile.emplace_back(row[0], row[1]);
   std::variant<Revolution, std::string> solid = make_revolution(profile);
   if (const std::string* const reason = std::get_if<std::string>(&solid)) {
