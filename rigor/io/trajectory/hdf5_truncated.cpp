@@ -22,11 +22,12 @@ constexpr std::uint64_t most_growth = 64, always_completed = std::uint64_t{1} <<
 /// Source: HDF5 File Format Specification Version 3.0, II.A: signature (8 bytes), version, size of offsets,
 /// size of lengths, flags, base address (8), superblock extension (8), end of file (8), ... little-endian.
 std::uint64_t end_of_file_address(const std::string& bytes) {
-  constexpr std::size_t superblock_bytes = 48, version_at = 8, offset_size_at = 9, end_at = 28;
+  constexpr std::size_t superblock_bytes = 48, version_offset = 8, size_offset = 9, end_offset = 28;
   if (bytes.size() < superblock_bytes || bytes.compare(0, 8, "\211HDF\r\n\032\n") != 0) return 0;
-  if ((bytes[version_at] != 2 && bytes[version_at] != 3) || bytes[offset_size_at] != 8) return 0;
+  if ((bytes[version_offset] != 2 && bytes[version_offset] != 3) || bytes[size_offset] != 8) return 0;
   std::uint64_t address = 0;
-  for (std::size_t i = 8; i-- > 0;) address = address << 8 | static_cast<unsigned char>(bytes[end_at + i]);
+  for (std::size_t i = 8; i-- > 0;)
+    address = address << 8 | static_cast<unsigned char>(bytes[end_offset + i]);
   return address;
 }
 
