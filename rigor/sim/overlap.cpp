@@ -20,7 +20,7 @@ struct Deepest {
 /// that overlap by no more than the tolerance are not decomposed for it.
 DistanceResult overlap_of(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                           double tolerance) {
-  const DistanceResult found = signed_distance(a, X_WA, b, X_WB);
+  DistanceResult found = signed_distance(a, X_WA, b, X_WB);
   if (found.distance > 0 || !are_solid(a, b)) return found;
   const bool is_deep = found.distance < -tolerance || share_inside(a, X_WA, b, X_WB, tolerance);
   return is_deep ? solid_distance(a, X_WA, b, X_WB) : found;

@@ -99,6 +99,7 @@ class ActiveRun {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): what a run is made of, from where it begins, and who watches it.
 RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
                          const RunSettings& settings, const std::optional<State>& start,
                          const Observer& observer, const std::function<bool()>& interrupt,
@@ -109,7 +110,8 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   stepper->set_interrupt(interrupt);
   Auditor auditor = earlier ? Auditor(model, choice, state, *earlier) : Auditor(model, choice, state);
   RunResult result =
-      ActiveRun(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
+      ActiveRun(std::move(model), std::move(stepper), std::move(state), std::move(auditor), observer)
+          .run(settings);
   for (Audit* audit : {&result.audit, &result.resumable_audit}) {
     audit->duration = settings.duration;
     audit->step = settings.step;

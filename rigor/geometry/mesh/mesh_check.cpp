@@ -39,6 +39,7 @@ std::string listed(const std::vector<std::string>& names) {
 std::string named(const char* one, const char* many, const std::vector<int>& numbers) {
   if (numbers.size() == 1) return fmt::format("{} {}", one, numbers[0]);
   std::vector<std::string> names;
+  names.reserve(numbers.size());
   for (const int i : numbers) names.push_back(std::to_string(i));
   return fmt::format("{} {} ({})", numbers.size(), many, listed(names));
 }
@@ -309,6 +310,7 @@ void MeshChecker::check_self_intersections() {
   }
   std::vector<std::string> names;
   const std::vector<std::array<int, 2>> pairs = find_self_intersections(triangulated(mesh_), kMaxPairs);
+  names.reserve(pairs.size());
   for (const std::array<int, 2>& pair : pairs) {
     names.push_back(fmt::format("{} and {}", face_of[at(pair[0])], face_of[at(pair[1])]));
   }

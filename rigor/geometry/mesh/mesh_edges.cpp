@@ -189,6 +189,7 @@ std::vector<Vec3> creases_at(const TriangleMesh& mesh, const TriangleTree& tree,
     }
   }
   std::vector<Vec3> directions;
+  directions.reserve(creases.size());
   for (const auto& [far, along] : creases) directions.push_back(along);
   return directions;
 }

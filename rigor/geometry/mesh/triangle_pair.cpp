@@ -61,6 +61,7 @@ struct HeightLanes {
 RIGOR_LANES HeightLanes face_distances(const LaneTriangle& face, const LaneVec3& n, const LaneVec3& corners) {
   const Lanes height = dot(n, corners - broadcast(face.corner, 0));
   // A corner projects into the face if it is on the inner side of all three edges.
+  // NOLINTNEXTLINE(misc-redundant-expression): true in all lanes that have a number.
   LaneMask is_over = height == height;
   for (int k = 0; k < 3; ++k) {
     const LaneVec3 start = broadcast(face.corner, k), side = broadcast(face.next, k) - start;

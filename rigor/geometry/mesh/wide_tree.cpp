@@ -78,8 +78,8 @@ class WideBuilder {
       }
     }
     tree.nodes.reserve(triangles.size() / 4 + 1);
-    build({0, static_cast<int>(items_.size()), 0});
   }
+  void build() { build({0, static_cast<int>(items_.size()), 0}); }
 
  private:
   /// Adds the node of the range and all below it; returns its index.
@@ -328,7 +328,7 @@ WideTree make_wide_tree(const TriangleMesh& mesh, const std::vector<int>& triang
   // The root is a box along the axes of the mesh, with room for its own rounding.
   const double rounding = 4 * kEpsilon * (lower.cwiseAbs() + upper.cwiseAbs()).maxCoeff();
   tree.root = {0.5 * (lower + upper), Mat3::Identity(), 0.5 * (upper - lower) + Vec3::Constant(rounding)};
-  WideBuilder(mesh, triangles, tree);
+  WideBuilder(mesh, triangles, tree).build();
   return tree;
 }
 

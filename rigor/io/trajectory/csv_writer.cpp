@@ -39,7 +39,7 @@ void append_joint_columns(const TrajectoryJoint& joint, const TrajectoryHeader& 
 }  // namespace
 
 std::string csv_field(const std::string& given) {
-  const std::string text = escaped_text(given);
+  std::string text = escaped_text(given);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);

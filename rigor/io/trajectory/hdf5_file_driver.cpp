@@ -200,6 +200,7 @@ H5FD_class_t driver_class() {
   driver.name = "rigor";
   driver.maxaddr = static_cast<haddr_t>(std::numeric_limits<off_t>::max());
   driver.fc_degree = H5F_CLOSE_STRONG;
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): the library copies the pointer.
   driver.fapl_size = sizeof(Hdf5FileStatus*);
   driver.open = open_file;
   driver.close = close_file;

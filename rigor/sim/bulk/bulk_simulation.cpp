@@ -43,7 +43,7 @@ BulkStepReport BulkSimulation::step() {
   is_asked_ = false;
   changed_.clear();
   kept_contacts_.reset();
-  const BulkStepReport report = world_->step(options_.step);
+  BulkStepReport report = world_->step(options_.step);
   sensors_.update(*model_, world_->bodies(), body_ids_);
   return report;
 }

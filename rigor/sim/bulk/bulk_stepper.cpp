@@ -84,6 +84,7 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
   if (last_step_ == 0) return points;
   // The velocities of each body once: it may have many contacts.
   std::vector<std::pair<Vec3, Vec3>> motions;
+  motions.reserve(at(model_->body_count()));
   for (int i = 0; i < model_->body_count(); ++i)
     motions.emplace_back(linear_velocity(*model_, state, i), angular_velocity(*model_, state, i));
   const auto velocity = [&](int body, const Vec3& p_W) {

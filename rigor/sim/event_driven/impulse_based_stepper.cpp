@@ -25,7 +25,7 @@ ToiOptions envelope_search(const Model& model, const Method& method) {
 
 }  // namespace
 
-ImpulseBasedStepper::ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method,
+ImpulseBasedStepper::ImpulseBasedStepper(const std::shared_ptr<const Model>& model, const Method& method,
                                          double target_step)
     : EventDrivenStepper(model, method, target_step, envelope_search(*model, method)),
       micro_collision_(assembler(), resolver(), method) {}

@@ -19,7 +19,7 @@ namespace rigor {
 class ImpulseBasedStepper : public EventDrivenStepper {
  public:
   /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
-  ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+  ImpulseBasedStepper(const std::shared_ptr<const Model>& model, const Method& method, double target_step);
 
  protected:
   bool keeps_contacts() const override { return false; }

@@ -48,6 +48,7 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
   if (approach <= 0) return;
   const double slow = slow_speed(system, cluster.t);
   std::vector<double> restitutions;
+  restitutions.reserve(contacts.size());
   for (const Contact& contact : contacts)
     restitutions.push_back(std::max(contact.restitution, std::min(1.0, slow / approach)));
 

@@ -74,6 +74,7 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
 
   // In the order of their representatives: the first body of each.
   std::vector<Cluster> result;
+  result.reserve(parts.size());
   for (auto& [representative, part] : parts) result.push_back(std::move(part));
   return result;
 }

@@ -162,6 +162,7 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
 
 std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair>& pairs) const {
   std::vector<Aabb> boxes;
+  boxes.reserve(rigor::at(model_.body_count()));
   for (int i = 0; i < model_.body_count(); ++i)
     boxes.push_back(body_box(model_, state, i).grown(0.5 * tolerance_));
   std::vector<Contact> contacts;

@@ -289,15 +289,14 @@ TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Tria
 
   const auto learn_from = [&](const Pair& pair, double meeting) {
     if (meeting == h) return;
+    // Rows of the next try, or those of a pair that meets at once; else the step ends there, or is halved.
+    const bool is_at_once = meeting <= least_step_share * h;
     if (contacts_.add_speculative(state, start, pair, path.poses(pair, meeting), 1 - meeting / h,
-                                  speculative)) {
-      next_try.is_new = true;
-    } else if (meeting > least_step_share * h) {
-      next_try.until = std::min(next_try.until, meeting);
-    } else if (speculative.met_at_once.insert(pair).second) {
+                                  speculative) ||
+        (is_at_once && speculative.met_at_once.insert(pair).second)) {
       next_try.is_new = true;
     } else {
-      next_try.until = std::min(next_try.until, 0.5 * h);
+      next_try.until = std::min(next_try.until, is_at_once ? 0.5 * h : meeting);
     }
   };
   for (const Pair& pair : trial.near.far) learn_from(pair, path.first_meeting(pair));

@@ -46,19 +46,18 @@ Aabb PathPiece::centre_box(double ta, double tb) const {
   return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
-StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                           const Vec3& w_from, const Vec3& w_to, double h) {
+StraightPath straight_path(const PathEnd& from, const PathEnd& to, double h) {
   // The rotation that is left over after whole turns, and the number of turns nearest to what the angular
   // velocities say.
-  const Vec3 shortest = rotation_log((q_to * q_from.conjugate()).normalized());
-  const Vec3 expected = 0.5 * h * (w_from + w_to);
+  const Vec3 shortest = rotation_log((to.q * from.q.conjugate()).normalized());
+  const Vec3 expected = 0.5 * h * (from.w + to.w);
   const double angle = shortest.norm(), full = 2 * std::numbers::pi;
   Vec3 rotation = shortest;
   if (angle > 0) {
     const Vec3 axis = shortest / angle;
     rotation = axis * (angle + full * std::round((axis.dot(expected) - angle) / full));
   }
-  return {from, to, q_from, rotation};
+  return {from.x, to.x, from.q, rotation};
 }
 
 }  // namespace rigor

@@ -43,9 +43,13 @@ class PathPiece {
 /// The pieces of one body, one after the other.
 using BodyPath = std::vector<PathPiece>;
 
-/// The straight way between two poses, h apart [s], in about as many turns as these angular velocities make
-/// [rad/s].
-StraightPath straight_path(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
-                           const Vec3& w_from, const Vec3& w_to, double h);
+/// Where a body is at an end of its path, and how it rotates there.
+struct PathEnd {
+  Vec3 x;  ///< [m].
+  Quat q;
+  Vec3 w;  ///< [rad/s].
+};
+/// The straight path between two ends, h apart [s], in about as many turns as the angular velocities make.
+StraightPath straight_path(const PathEnd& from, const PathEnd& to, double h);
 
 }  // namespace rigor

@@ -9,12 +9,13 @@ PathPiece step_path(const Model& model, const Environment& environment, int i, c
                     const State& after) {
   const Body& body = model.body(i);
   const double h = after.t - before.t;
-  StraightPath way =
-      straight_path(before.position(i), before.orientation(i), after.position(i), after.orientation(i),
-                    angular_velocity(model, before, i), angular_velocity(model, after, i), h);
-  way.keeps_axis = body.motion != MotionType::dynamic;
+  const auto end_in = [&](const State& state) {
+    return PathEnd{state.position(i), state.orientation(i), angular_velocity(model, state, i)};
+  };
+  StraightPath path = straight_path(end_in(before), end_in(after), h);
+  path.keeps_axis = body.motion != MotionType::dynamic;
   constexpr double little = 0.5;  // What turns by less keeps near its axis [rad].
-  if (way.keeps_axis || way.rotation_W.norm() <= little) return {before.t, after.t, way};
+  if (path.keeps_axis || path.rotation_W.norm() <= little) return {before.t, after.t, path};
 
   // The flight with the momenta of the end, after what impacts there may have been at the beginning: if it
   // leads from the one place to the other, it is what happened.
@@ -25,9 +26,10 @@ PathPiece step_path(const Model& model, const Environment& environment, int i, c
   const FreeFlight flight(inertia, start, before.t, a_W);
   const BodyPhase end = flight.at(after.t);
   constexpr double same = 1e-6;
-  const bool flew = (end.x - way.to).norm() <= same * ((way.to - way.from).norm() + body.bounding_radius) &&
-                    std::abs(end.q.dot(after.orientation(i))) >= 1 - same;
-  if (!flew) return {before.t, after.t, way};
+  const bool flew =
+      (end.x - path.to).norm() <= same * ((path.to - path.from).norm() + body.bounding_radius) &&
+      std::abs(end.q.dot(after.orientation(i))) >= 1 - same;
+  if (!flew) return {before.t, after.t, path};
   return {before.t, after.t, Motion::flight(flight, inertia)};
 }
 

@@ -50,6 +50,7 @@ Drawing parallel_drawing(const std::vector<std::string>& names,
   const double gap = (width - 2 * side) / static_cast<double>(names.size() - 1);
   const auto x = [&](std::size_t axis) { return side + gap * static_cast<double>(axis); };
   std::vector<AxisRange> ranges;
+  ranges.reserve(columns.size());
   for (const std::vector<double>& column : columns) ranges.emplace_back(column);
 
   for (std::size_t run = 0; run < columns[0].size(); ++run) {

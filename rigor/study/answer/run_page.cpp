@@ -44,6 +44,7 @@ std::string run_page(const Study& study, const RunTask& task, const RunPageForm&
                      const std::function<bool()>& interrupt) {
   const std::vector<Scene> scenes = study.make_executor()->scenes_of(task);
   std::vector<std::vector<PageBlock>> runs;
+  runs.reserve(scenes.size());
   for (const Scene& scene : scenes)
     runs.push_back(recorded(scene,
                             scenes.size() < 2 ? ""

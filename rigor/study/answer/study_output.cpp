@@ -42,7 +42,7 @@ Json finding_json(const Finding& finding) {
 
 Drawing study_drawing(const Study& study) {
   constexpr std::uint64_t most_dots = 2000, most_lines = 500;
-  const Drawing figures = answer_drawing(study.answer());
+  Drawing figures = answer_drawing(study.answer());
   StudyColumns columns = study_columns(study, most_dots), lines = study_columns(study, most_lines);
   columns.drop_constant();
   lines.drop_constant();

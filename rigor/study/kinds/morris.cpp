@@ -55,6 +55,7 @@ class Morris : public FactorStrategy {
                         k);
     std::sort(keys.begin(), keys.end());
     std::vector<std::size_t> order;
+    order.reserve(keys.size());
     for (const auto& [key, k] : keys) order.push_back(k);
     return order;
   }
@@ -84,6 +85,7 @@ class Morris : public FactorStrategy {
   void add_factor(std::size_t k, const std::vector<double>& effects, const std::string& outcome,
                   StudyAnswer& answer, AnswerTable& table, AnswerFigure& figure) const {
     std::vector<double> sizes;
+    sizes.reserve(effects.size());
     for (const double effect : effects) sizes.push_back(std::abs(effect));
     const Estimate size = mean_estimate(sizes, plan().confidence),
                    mean = mean_estimate(effects, plan().confidence);

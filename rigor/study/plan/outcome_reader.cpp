@@ -59,7 +59,7 @@ std::string scene_formula(const ObjectReader& reader, const char* key, std::vect
   const YamlNode* const node = reader.find(key);
   if (!node) return {};
   // A number is a formula too.
-  const std::string text = node->kind == YamlNode::Kind::scalar ? node->text : reader.text(key).value_or("0");
+  std::string text = node->kind == YamlNode::Kind::scalar ? node->text : reader.text(key).value_or("0");
   try {
     const Formula formula(text);
     for (const std::string& used : formula.names()) {

@@ -62,7 +62,7 @@ class ThreadPool : public WorkerPool {
 
 }  // namespace
 
-std::unique_ptr<WorkerPool> make_thread_pool(MakeExecutor make, int threads) {
+std::unique_ptr<WorkerPool> make_thread_pool(const MakeExecutor& make, int threads) {
   return std::make_unique<ThreadPool>(make, threads);
 }
 

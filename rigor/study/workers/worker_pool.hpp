@@ -31,6 +31,6 @@ class WorkerPool {
 using MakeExecutor = std::function<std::unique_ptr<RunExecutor>()>;
 
 /// Threads of this process, at least 1.
-std::unique_ptr<WorkerPool> make_thread_pool(MakeExecutor make, int threads);
+std::unique_ptr<WorkerPool> make_thread_pool(const MakeExecutor& make, int threads);
 
 }  // namespace rigor

@@ -75,9 +75,9 @@ TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
 TEST(PassageWitness, StraightPathMakesTheTurnsThatTheVelocitiesSay) {
   const Quat q = rotation_exp(Vec3(0.3, -0.2, 0.9));
   const Vec3 turn = 21.3 * Vec3(1, 2, -2) / 3;
-  const StraightPath way = straight_path(Vec3::Zero(), q, Vec3::UnitX(), rotation_exp(turn) * q, turn / 0.1,
-                                         1.01 * turn / 0.1, 0.1);
-  EXPECT_LT((way.rotation_W - turn).norm(), 1e-12);
+  const StraightPath path = straight_path({Vec3::Zero(), q, turn / 0.1},
+                                          {Vec3::UnitX(), rotation_exp(turn) * q, 1.01 * turn / 0.1}, 0.1);
+  EXPECT_LT((path.rotation_W - turn).norm(), 1e-12);
 }
 
 /// The deepest that the centre of the body is inside the solid box at one of many instants [m].
