@@ -47,6 +47,7 @@ Vec3 median(const std::vector<Vec3>& points) {
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
+    values.reserve(points.size());
     for (const Vec3& point : points) values.push_back(point[axis]);
     result[axis] = median(std::move(values));
   }

@@ -54,6 +54,7 @@ MovieFile::MovieFile(const std::filesystem::path& path, int width, int height) :
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw write_error(path, errno);
   std::vector<std::string> words = arguments(path, width, height);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
 

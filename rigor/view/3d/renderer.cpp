@@ -1,5 +1,7 @@
 #include "rigor/view/3d/renderer.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include "rigor/core/assert.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
@@ -240,12 +242,11 @@ void Renderer::see_surface(const ShownShape& placed, const Projection& projectio
   }
 }
 
-/// Writes the corners of the face on the picture to corners_, and the normals of a smooth face to its thing.
+/// Writes the corners of the face on the picture to corners_, and the normals of a smooth face to its
+/// primitive.
 void Renderer::see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
                         const Projection& projection) {
-  const auto vertex = [&](int i) {
-    return static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(face.begin + i)]);
-  };
+  const auto vertex = [&](int i) { return rigor::at(surface.corners[rigor::at(face.begin + i)]); };
   corners_.clear();
   bool is_before = true;
   for (int i = 0; i < face.count; ++i) {
@@ -255,6 +256,7 @@ void Renderer::see_face(const Surface& surface, const Surface::Face& face, const
   // A face that crosses the near plane is clipped; it is shaded flat.
   if (!is_before) {
     std::vector<Vec3> polygon;
+    polygon.reserve(rigor::at(face.count));
     for (int i = 0; i < face.count; ++i) polygon.push_back(points_[vertex(i)]);
     clip_before(polygon, near_, clipped_);
     corners_.clear();
@@ -266,9 +268,8 @@ void Renderer::see_face(const Surface& surface, const Surface::Face& face, const
     std::array<PicturePoint, 3> at;
     std::array<Vec3, 3> normals;
     for (int i = 0; i < 3; ++i) {
-      at[static_cast<std::size_t>(i)] = projection.project(points_[vertex(i)]);
-      normals[static_cast<std::size_t>(i)] =
-          X_KS.R * surface.corner_normals[static_cast<std::size_t>(face.begin + i)];
+      at[rigor::at(i)] = projection.project(points_[vertex(i)]);
+      normals[rigor::at(i)] = X_KS.R * surface.corner_normals[rigor::at(face.begin + i)];
     }
     set_smooth_normal(at, normals, primitives_.back());
   }

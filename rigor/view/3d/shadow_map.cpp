@@ -70,9 +70,11 @@ void ShadowMap::draw_ball(const ShownShape& placed, double radius) {
 
 std::vector<ShownShape> ShadowMap::nearest_first(std::span<const ShownShape> shapes) const {
   std::vector<std::pair<double, std::size_t>> depths;
+  depths.reserve(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) depths.push_back({X_JW_.R.row(2).dot(shapes[i].X_WS.p), i});
   std::sort(depths.begin(), depths.end());
   std::vector<ShownShape> sorted;
+  sorted.reserve(depths.size());
   for (const auto& [depth, i] : depths) sorted.push_back(shapes[i]);
   return sorted;
 }

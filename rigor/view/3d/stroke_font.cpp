@@ -151,7 +151,8 @@ Polyline curve(const Polyline& controls) {
   constexpr int pieces = 8;
   Polyline line = {controls.front()};
   for (std::size_t i = 1; i + 1 < controls.size(); ++i) {
-    const Vec2 begin = line.back(), control = controls[i];
+    const Vec2 begin = line.back();
+    const Vec2& control = controls[i];
     const Vec2 end = i + 2 < controls.size() ? Vec2(0.5 * (control + controls[i + 1])) : controls[i + 1];
     for (int k = 1; k <= pieces; ++k) {
       const double s = static_cast<double>(k) / pieces;

@@ -191,6 +191,7 @@ std::vector<MotionEvent> strongest_events(const std::vector<MotionEvent>& events
   places.resize(most);
   std::sort(places.begin(), places.end());
   std::vector<MotionEvent> kept;
+  kept.reserve(places.size());
   for (const std::size_t i : places) kept.push_back(events[i]);
   return kept;
 }

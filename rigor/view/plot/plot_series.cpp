@@ -234,6 +234,7 @@ std::optional<std::string> joint_of_key(std::string_view key) {
 
 std::vector<std::string> plot_keys(const Recording& recording) {
   std::vector<std::string> keys;
+  keys.reserve(energies.size() + vector_endings.size());
   for (const std::string_view energy : energies) keys.push_back(fmt::format("energy.{}", energy));
   for (const std::string& ending : vector_endings) keys.push_back(fmt::format("momentum{}", ending));
   if (!recording.motion.penetration.empty()) keys.push_back("penetration");

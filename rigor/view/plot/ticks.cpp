@@ -59,7 +59,7 @@ Ticks make_ticks(double low, double high, int count, bool fits_marks) {
 
 std::string unit_text(const std::string& unit, int exponent) {
   constexpr std::array<std::string_view, 10> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const std::string name = unit == "1" ? "" : unit;
+  std::string name = unit == "1" ? "" : unit;
   if (exponent == 0) return name;
   std::string power = "10";
   if (exponent < 0) power += "⁻";
