@@ -1,8 +1,7 @@
 #include "rigor/view/3d/renderer.hpp"
 
-#include "rigor/core/index.hpp"
-
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
 
