@@ -99,7 +99,7 @@ std::string study_progress_text(const StudyProgress& progress, double elapsed, s
 std::string cost_text(const StudyCost& cost, int workers) {
   const double runs = static_cast<double>(cost.runs);
   return fmt::format("{} runs at most, {} each by the first: {} on {} at a time; {:.3g} MB of memory{}",
-                     cost.runs, span_text(cost.run_time), span_text(runs * cost.run_time / workers), pool,
+                     cost.runs, span_text(cost.run_time), span_text(runs * cost.run_time / workers), workers,
                      1e-6 * cost.memory,
                      cost.disk > 0 ? fmt::format(", {:.3g} MB of disk", 1e-6 * cost.disk) : "");
 }
