@@ -99,7 +99,7 @@ TEST(SampleGrid, ABallIsTheEllipseThatPerspectiveMakesOfIt) {
     const double along = f * sin_a * std::sqrt(1 - sin_a * sin_a) / k, across = f * sin_a / std::sqrt(k);
     SampleGrid grid(0.5, 0.5);
     grid.clear(800, 800);
-    grid.fill(SeenBall{p_K, r}, projection, 3);
+    grid.fill(ViewSpaceBall{p_K, r}, projection, 3);
     EXPECT_NEAR(count(grid, 800, 800, 3), M_PI * along * across, 2 * (along + across));
   }
 }
@@ -108,7 +108,7 @@ TEST(SampleGrid, TheNearestPointOfABallIsItsRadiusBeforeItsCenter) {
   const Projection projection(Camera{Vec3(0, -1, 0), Vec3::Zero(), Vec3::UnitZ(), M_PI / 3}, 101, 101);
   SampleGrid grid(0.5, 0.5);
   grid.clear(101, 101);
-  grid.fill(SeenBall{Vec3(0, 0, 5), 0.5}, projection, 1);
+  grid.fill(ViewSpaceBall{Vec3(0, 0, 5), 0.5}, projection, 1);
   EXPECT_NEAR(1 / grid.nearness(50)[50], 4.5, 1e-5);
 }
 
