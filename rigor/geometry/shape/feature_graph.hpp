@@ -30,7 +30,7 @@ struct FeatureGraph {
   std::vector<Vec3> normals;           ///< Of the faces, outward, unit.
   std::vector<int> face_begin;         ///< First half-edge of each face, and the count of all at the end.
   std::vector<OutgoingEdge> outgoing;  ///< Vertex by vertex, in order around each.
-  std::vector<int> vertex_begin;       ///< First outgoing edge of each vertex, and the count of all at the end.
+  std::vector<int> vertex_begin;  ///< First outgoing edge of each vertex, and the count of all at the end.
 
   int face_count() const { return static_cast<int>(normals.size()); }
   int vertex_count() const { return static_cast<int>(vertex_begin.size()) - 1; }

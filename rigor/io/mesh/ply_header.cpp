@@ -69,8 +69,7 @@ PlyProperty read_property(MeshText& text) {
   if (words.size() != 5 || words[1] != "list") {
     text.fail("a property is written 'property type name' or 'property list type type name'");
   }
-  PlyProperty property{std::string(words[4]), read_type(text, words[3]), true,
-                             read_type(text, words[2])};
+  PlyProperty property{std::string(words[4]), read_type(text, words[3]), true, read_type(text, words[2])};
   if (is_real(property.count_type)) text.fail("the length of a list must have a whole-number type");
   return property;
 }

@@ -182,7 +182,8 @@ bool SearchByForces::search_kinks() {
   return true;
 }
 
-/// How far to go along the step: all of it, to a kink, or halved until the error falls in proportion to the step.
+/// How far to go along the step: all of it, to a kink, or halved until the error falls in proportion to the
+/// step.
 bool SearchByForces::search_line() {
   constexpr int kMostHalvings = 6;
   move(iterate_, 1, step_, next_);

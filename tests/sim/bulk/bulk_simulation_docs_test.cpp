@@ -27,8 +27,9 @@ void expect_program_of_section(const std::string& heading) {
   ASSERT_NE(section, std::string::npos);
   const std::size_t begin = page.find("```cpp\n", section) + 7, end = page.find("```", begin);
   ASSERT_LT(begin, end);
-  EXPECT_NE(text_of(root + "/tests/sim/bulk/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
-            std::string::npos);
+  EXPECT_NE(
+      text_of(root + "/tests/sim/bulk/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
+      std::string::npos);
 }
 
 TEST(BulkSimulationDocs, TheProgramOnThePageIsThisOne) {
