@@ -6,6 +6,7 @@
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/height_field.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ Mesh rough_ground(Draw& draw) {
 }
 
 /// Shapes that reach into valleys.
-Shape slender_shape(Draw& draw, int kind) {
+Shape small_shape(Draw& draw, int kind) {
   const double radius = draw.uniform(0.02, 0.08), length = draw.uniform(0.15, 0.5);
   switch (kind) {
     case 0:
@@ -45,6 +46,8 @@ Shape slender_shape(Draw& draw, int kind) {
       return Box{Vec3(radius, draw.uniform(0.02, 0.08), 0.5 * length)};
     case 2:
       return Cylinder{radius, length};
+    case 3:
+      return Box{0.1 * draw.sizes() + Vec3::Constant(0.06)};
     default:
       return Ellipsoid{Vec3(radius, draw.uniform(0.02, 0.08), 0.5 * length)};
   }
@@ -85,22 +88,65 @@ TEST(DeepestContact, IsInTheSetOfAShapeThatFallsOverOnRoughGround) {
   int overlapping = 0;
   for (int k = 0; k < 60; ++k) {
     const Mesh ground = rough_ground(draw);
-    const Shape shape = slender_shape(draw, k % 4);
-    const Vec3 start(draw.uniform(-1, 1), draw.uniform(-1, 1), -0.2);
+    const Shape shape = small_shape(draw, k % 5);
+    const Vec3 start(draw.uniform(-1.4, 1.4), draw.uniform(-1.4, 1.4), -0.2);
     const Pose X = touching(ground, shape, {draw.rotation(), start}, Vec3::UnitZ());
     const DistanceResult first = signed_distance(ground, Pose{}, shape, X);
+    if (first.distance < -kTolerance) continue;  // It was put inside.
     // It rotates about the point of contact, until it overlaps elsewhere.
     for (int i = 0; i < 10; ++i) {
-      const Mat3 R = rotation_matrix(rotation_exp(std::pow(10.0, draw.uniform(-3, -1)) * draw.direction()));
+      const double angle = std::pow(10.0, draw.uniform(-3, -1));
+      const Mat3 R = rotation_matrix(rotation_exp(angle * draw.direction()));
       const Pose X_later{R * X.R, first.p_WA + R * (X.p - first.p_WA)};
       const double distance = deepest_triangle(ground, shape, X_later);
       if (distance > 0) continue;
       ++overlapping;
-      EXPECT_LE(deepest_gap(contact_set(ground, Pose{}, shape, X_later, kTolerance)), distance + kTolerance)
-          << "ground " << k << ", rotation " << i;
+      const double deepest = deepest_gap(contact_set(ground, Pose{}, shape, X_later, kTolerance));
+      EXPECT_LE(deepest, distance + kTolerance) << "ground " << k << ", rotation " << i;
+      // No point has moved farther than this, so that none is deeper.
+      const double reach = radius_about(shape, X.R.transpose() * (first.p_WA - X.p));
+      EXPECT_GE(deepest, -angle * reach - kTolerance) << "ground " << k << ", rotation " << i;
     }
   }
   EXPECT_GT(overlapping, 200);
+}
+
+TEST(DeepestContact, OfAShapeThatBarelyTouchesRoughGroundIsNotDeep) {
+  Draw draw(11);
+  for (int k = 0; k < 100; ++k) {
+    const Mesh ground = rough_ground(draw);
+    for (int i = 0; i < 3; ++i) {
+      const Shape shape = small_shape(draw, 3);
+      const Vec3 start(draw.uniform(-1.4, 1.4), draw.uniform(-1.4, 1.4), 0);
+      Pose X = touching(ground, shape, {draw.rotation(), start}, Vec3::UnitZ());
+      if (signed_distance(ground, Pose{}, shape, X).distance < -kTolerance) continue;  // It was put inside.
+      // It goes down by a little, so that nothing is deeper than that.
+      const double depth = draw.uniform(0.3, 3) * kTolerance;
+      X.p.z() -= depth;
+      const std::vector<ContactPoint> contacts = contact_set(ground, Pose{}, shape, X, kTolerance);
+      EXPECT_FALSE(contacts.empty()) << "ground " << k;
+      EXPECT_GE(deepest_gap(contacts), -1.01 * depth) << "ground " << k;
+    }
+  }
+}
+
+TEST(DeepestContact, OfABoxOnARidgeIsNotBelowTheNextValley) {
+  // Three corners of the box are below the plane of a face beyond the valley, but not in the ground.
+  const HeightField field{.rows = {{0.1959, 0.3202, 0.0408, 0.0110, 0.0154, 0.0632, 0.0227, 0.1322},
+                                   {0.2267, 0.4526, 0.4481, 0.3962, 0.1773, 0.3900, 0.2270, 0.2936},
+                                   {0.4317, 0.3892, 0.4170, 0.5303, 0.4538, 0.5108, 0.4875, 0.5872},
+                                   {0.6463, 0.5179, 0.6953, 0.5016, 0.5772, 0.4565, 0.5531, 0.4268}},
+                          .size = {3, 9.0 / 7},
+                          .base_depth = 0.3};
+  const Mesh ground = test::as_mesh(make_height_field_mesh(field));
+  const Eigen::Quaterniond q(0.819621658011769, 0.233930155060139, 0.00713106829653059, 0.522920804841927);
+  const Box box{0.5 * Vec3(0.141944251779, 0.326224845245, 0.13999059718)};
+  // The four rows are the first of eight over 3 m.
+  const Pose X{q.toRotationMatrix(),
+               Vec3(-0.084155168768886, -1.07825646540648 + 1.5 - 4.5 / 7, 0.434461275674548)};
+  const std::vector<ContactPoint> contacts = contact_set(ground, Pose{}, box, X, kTolerance);
+  ASSERT_FALSE(contacts.empty());
+  EXPECT_GE(deepest_gap(contacts), -kTolerance);
 }
 
 /// A valley along y between two slopes, its bottom the y axis; the slopes are the angles of its sides.

@@ -245,7 +245,9 @@ class FacetContacts {
     const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
     const auto contacts = face_contacts(pair, face.polygon(0), true);
     if (!contacts) return;
-    for (const ContactPoint& contact : *contacts) contacts_.push_back({contact, facet.patch});
+    for (const ContactPoint& contact : *contacts) {
+      if (is_within_reach(contact)) contacts_.push_back({contact, facet.patch});
+    }
   }
 
   /// What lies deeper than all contacts is one, even where its direction is no normal of the surface: a set
@@ -281,6 +283,13 @@ class FacetContacts {
 
  private:
   bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
+  /// Whether the point of the shape is inside the mesh, as deep as the contact says: under another part of
+  /// the surface, or outside, it is none of the face's.
+  bool is_within_reach(const ContactPoint& contact) const {
+    const Vec3 p_M = X_OM_.inverse() * contact.p_WB;
+    const MeshPoint nearest = nearest_mesh_point(mesh_, p_M);
+    return (p_M - nearest.p_M).dot(nearest.normal_M) <= 0 && -contact.gap <= nearest.distance + tolerance_;
+  }
   bool is_along(const DistanceResult& distance, const MeshFacet& facet) const {
     return (distance.n_W - X_OM_.R * facet.normal).norm() <= kAlongNormal;
   }
