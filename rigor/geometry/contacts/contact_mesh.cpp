@@ -4,6 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/geometry/contacts/contact_pair.hpp"
+#include "rigor/geometry/contacts/extended_facet.hpp"
 #include "rigor/geometry/contacts/face_clip.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
@@ -219,13 +220,45 @@ class FacetContacts {
       for (const auto& [contact, patch] : contacts_) {
         if (patch == facet.patch) depth = std::max(depth, -contact.gap + tolerance_);
       }
-      if (separation(pair, front.normal) < -depth) continue;
+      const double separated = separation(pair, front.normal);
+      if (separated < -depth) {
+        if (is_whole(facet)) add_over_concave_edges(facet, front, -separated);
+        continue;
+      }
       std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, front, true);
       if (!contacts) continue;
       if (leaves_hull_along && lies_over(front, of_hull(facet).p_WB, pair.scale.slack))
         add_witness(pair, of_hull(facet), *contacts);
       for (const ContactPoint& contact : *contacts) contacts_.push_back({contact, facet.patch});
     }
+  }
+
+  /// The tip of a shape in a valley would leave each of the two faces sideways, into the other one: the face
+  /// holds it if the shape leaves it along the normal once it goes on beyond its concave edges.
+  void add_over_concave_edges(const MeshFacet& facet, const FlatFace& front, double depth) {
+    // Far enough that the shortest way to the border is longer than the depth.
+    const double beyond = (shape_.support(-front.normal) - front.center).norm();
+    const MeshFacet larger = extended_over_concave_edges(mesh_, facet, depth + beyond);
+    const ContactShape face(larger, X_OM_);
+    const DistanceResult distance = convex_distance(face.core(), face.X_OS(), shape_.core(), shape_.X_OS());
+    if (!is_along(distance, facet)) return;
+    const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
+    const auto contacts = face_contacts(pair, face.polygon(0), true);
+    if (!contacts) return;
+    for (const ContactPoint& contact : *contacts) {
+      if (is_within_reach(contact)) contacts_.push_back({contact, facet.patch});
+    }
+  }
+
+  /// What lies deeper than all contacts is one, even where its direction is no normal of the surface: a set
+  /// that left it out would say that the shapes overlap less than they do.
+  void add_deepest() {
+    if (contacts_.empty() || !nearest_blocked_) return;
+    const auto is_deeper = [](const auto& x, const auto& y) { return x.first.gap < y.first.gap; };
+    const double deepest = std::ranges::min_element(contacts_, is_deeper)->first.gap;
+    if (nearest_blocked_->gap >= deepest - tolerance_) return;
+    contacts_.push_back({*nearest_blocked_, 0});
+    contacts_.back().first.degenerate = true;
   }
 
   /// Where a corner touches a corner of the mesh without any distance, the directions that the facets see
@@ -250,6 +283,13 @@ class FacetContacts {
 
  private:
   bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
+  /// Whether the point of the shape is inside the mesh, as deep as the contact says: under another part of
+  /// the surface, or outside, it is none of the face's.
+  bool is_within_reach(const ContactPoint& contact) const {
+    const Vec3 p_M = X_OM_.inverse() * contact.p_WB;
+    const MeshPoint nearest = nearest_mesh_point(mesh_, p_M);
+    return (p_M - nearest.p_M).dot(nearest.normal_M) <= 0 && -contact.gap <= nearest.distance + tolerance_;
+  }
   bool is_along(const DistanceResult& distance, const MeshFacet& facet) const {
     return (distance.n_W - X_OM_.R * facet.normal).norm() <= kAlongNormal;
   }
@@ -287,6 +327,7 @@ std::vector<ContactPoint> mesh_contacts(const Mesh& mesh, const Pose& X_OM, cons
   const Aabb box_M = axis_aligned_box(b, X_OM.inverse() * X_OB).grown(tolerance);
   for (const MeshFacet& facet : facets_near(mesh, box_M)) contacts.add(facet);
   contacts.add_blocked();
+  contacts.add_deepest();
   contacts.add_corner_if_empty();
   return contacts.merged();
 }

@@ -6,6 +6,7 @@
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/pieces_distance.hpp"
 #include "rigor/geometry/distance/mesh_exit.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
@@ -179,11 +180,11 @@ constexpr double kShallow = 1e-6;
 
 /// The overlap of the ball about the centre c of the shape, in it, with the ball about c in the mesh or,
 /// where c lies outside, with the nearest point of the mesh: no shorter translation parts even these.
-DistanceResult ball_overlap(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM,
-                            const ConvexCore& core, const Pose& X_WB) {
+DistanceResult ball_overlap(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM, const Shape& b) {
   const Vec3 c_W = X_WM * c_M;
-  const std::array<Vec3, 1> centre{c_W};
-  const double radius = std::max(0.0, -convex_distance(core, X_WB, make_points_core(centre), Pose{}).upper);
+  const Vec3 c_B = inner_point(b);
+  const double off_surface = -point_distance(b, Pose{}, c_B).distance;
+  const double radius = std::max(0.0, off_surface - 16 * kEpsilon * (c_B.norm() + std::abs(off_surface)));
   // From inside, the direction to the nearest point is the outward normal; on the surface itself only the
   // pseudonormal is left.
   const bool is_on_surface = !(nearest.distance > 0);
@@ -215,7 +216,7 @@ DistanceResult mesh_signed_distance(const Mesh& mesh, const Pose& X_WM, const Sh
   if (mesh.tree->is_closed && (deepest.distance <= 0 || may_enclose(mesh, X_WM, X_WB * inner_point(b)))) {
     const Vec3 c_M = X_WM.inverse() * (X_WB * inner_point(b));
     const MeshPoint nearest = nearest_mesh_point(mesh, c_M);
-    const DistanceResult of_balls = ball_overlap(nearest, c_M, X_WM, make_core(b), X_WB);
+    const DistanceResult of_balls = ball_overlap(nearest, c_M, X_WM, b);
     if (of_balls.distance < std::min(deepest.distance, 0.0)) deepest = of_balls;
   }
   if (deepest.distance > 0) return deepest;

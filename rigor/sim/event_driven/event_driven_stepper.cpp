@@ -125,7 +125,9 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
     trajectories_.predict_among(under_way, queue_);
   }
   next_ = {t_, QueuedEvent::Kind::window_end, -1, -1, 0, 0, 0};
+  has_given_state_ = !is_continued;
   if (!seeds.empty()) handle_event(seeds, {});
+  has_given_state_ = false;
 }
 
 /// Kinematic and fixed bodies are on the leg of their path that holds t.
@@ -270,7 +272,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   note_penetration(cluster.contacts);
   // Other features may meet where the bodies are moved to.
   constexpr int most_projections = 4;
-  for (int k = 0; k < most_projections && keeps_contacts() && contacts_.project_positions(cluster, report_);
+  for (int k = 0; k < most_projections && keeps_contacts() &&
+                  contacts_.project_positions(cluster, has_given_state_, report_);
        ++k) {
     cluster.contacts.clear();
     visited.clear();

@@ -134,7 +134,8 @@ class EventDrivenStepper : public Stepper {
   };
   std::vector<Searches> searches_;
   LastForces forces_;
-  State mirror_;  ///< The State as it was left.
+  State mirror_;                  ///< The State as it was left.
+  bool has_given_state_ = false;  ///< While a State that this stepper did not leave is taken on.
   AdvanceReport report_;
   WorkBudget budget_;
 };

@@ -68,7 +68,7 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   if (!pay_for_correction(model_, environment_, island, drifted, step)) step.end = drifted;
 }
 
-bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {
+bool ContactProjection::project_positions(Cluster& cluster, bool are_given, AdvanceReport& report) const {
   // Small overlaps may stay.
   double deepest = 0;
   for (const Contact& contact : cluster.contacts) deepest = std::min(deepest, contact.point.gap);
@@ -94,6 +94,7 @@ bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& repor
   }
   report.projection_loss += taken.energy;
   report.work += taken.work;
+  if (are_given) report.work += std::max(0.0, gained - taken.energy);
   return true;
 }
 

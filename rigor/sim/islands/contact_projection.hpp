@@ -21,8 +21,9 @@ class ContactProjection {
   void restore_gaps(const Island& island, double t, IslandStep& step) const;
   /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
   /// mass matrix; the momenta stay, but for what pays for the lift. Returns whether anything moved: then the
-  /// contacts must be found anew.
-  bool project_positions(Cluster& cluster, AdvanceReport& report) const;
+  /// contacts must be found anew. Where the overlaps are `given`, by a scene or by another scheme, nobody
+  /// owes the lift: what the motion does not pay is work done on the bodies.
+  bool project_positions(Cluster& cluster, bool are_given, AdvanceReport& report) const;
 
  private:
   const Model& model_;

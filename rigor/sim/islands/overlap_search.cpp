@@ -15,10 +15,15 @@ namespace rigor {
 
 namespace {
 
+/// The contact of the same features among the others; where an edge crosses the valley between two faces of a
+/// mesh there is one for each face, and the lower counts.
 const Contact* find_same(const Contact& contact, std::span<const Contact> others) {
-  const auto same = std::find_if(others.begin(), others.end(),
-                                 [&](const Contact& other) { return other.key() == contact.key(); });
-  return same == others.end() ? nullptr : &*same;
+  const Contact* lowest = nullptr;
+  for (const Contact& other : others) {
+    if (other.key() == contact.key() && (lowest == nullptr || other.point.gap < lowest->point.gap))
+      lowest = &other;
+  }
+  return lowest;
 }
 
 /// Instants of a step at which the pairs in contact are looked at.
@@ -137,9 +142,13 @@ std::optional<double> OverlapSearch::find(const Island& island, const IslandStep
   Instants instants(model_, island, step, contact_tolerance_, thickness_);
   for (double theta = 0; theta < end;) {
     const double probe = instants.next(pairs, theta, theta < 0.5 * end ? 0.5 * end : end);
-    // A motion that overflows has margins that are no numbers.
-    if (overlap(probe) < 0 && overlap(theta) >= 0)
-      return find_root_bisection(overlap, theta, probe, time_tolerance_ / step.h).hi;
+    // What is a little too low already may stay so, but not go deeper. A motion that overflows has margins
+    // that are no numbers.
+    const double before = overlap(theta);
+    const double level = before < 0 ? before - 0.01 * contact_tolerance_ : 0;
+    const auto above_level = [&](double part) { return overlap(part) - level; };
+    if (above_level(probe) < 0 && before >= level)
+      return find_root_bisection(above_level, theta, probe, time_tolerance_ / step.h).hi;
     theta = probe;
   }
   return std::nullopt;
