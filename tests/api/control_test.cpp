@@ -36,6 +36,42 @@ TEST_P(EveryControlledScheme, AnEffortIsATorqueAboutTheAxis) {
   EXPECT_EQ(violations_of(simulation), "");
 }
 
+TEST_P(EveryControlledScheme, AnEffortActsOnceBesideAServoThatComesAndGoes) {
+  // A servo with a largest force is a function of the time, for which the scheme is another one than without
+  // it.
+  const Scene two_wheels = scene(R"(
+world: {gravity: [0, 0, 0]}
+bodies:
+  - {name: wheel, position: [0, 2, 1], mass: 2, shapes: [{type: cylinder, radius: 0.3, length: 0.1}]}
+  - {name: other, position: [0, 0, 1], mass: 2, shapes: [{type: cylinder, radius: 0.3, length: 0.1}]}
+joints:
+  - {name: axle, type: hinge, bodies: [world, wheel], anchor: [0, 2, 1], axis: [0, 0, 1]}
+  - {name: shaft, type: hinge, bodies: [world, other], anchor: [0, 0, 1], axis: [0, 0, 1]}
+)");
+  Simulation simulation(two_wheels);
+  const double torque = 0.18;
+  const auto rate = [&simulation] { return simulation.joint_motion("axle").rates[0]; };
+  simulation.set_motor_position("shaft", 0.2, 5, 0.5, 0, 1);
+  simulation.set_motor_effort("axle", torque);
+  simulation.advance_to(0.1);
+  EXPECT_NEAR(rate(), torque * 0.1 / wheel_moment, tolerance());
+  Simulation restored(two_wheels);
+  restored.restore(simulation.save());
+  simulation.release_motor("shaft");
+  restored.release_motor("shaft");
+  simulation.advance_to(0.2);
+  EXPECT_NEAR(rate(), torque * 0.2 / wheel_moment, tolerance());
+  simulation.set_motor_position("shaft", 0, 5, 0.5, 0, 1);
+  simulation.advance_to(0.3);
+  EXPECT_NEAR(rate(), torque * 0.3 / wheel_moment, tolerance());
+  restored.advance_to(0.2);
+  restored.set_motor_position("shaft", 0, 5, 0.5, 0, 1);
+  restored.advance_to(0.3);
+  EXPECT_EQ(restored.velocities(), simulation.velocities());
+  EXPECT_EQ(restored.positions(), simulation.positions());
+  EXPECT_EQ(violations_of(simulation), "");
+}
+
 TEST_P(EveryControlledScheme, AnEffortBetweenTwoBodiesKeepsTheirMomentum) {
   // A slider between two free bodies: the force acts on both, along the line through both anchors.
   Simulation simulation(scene(R"(
