@@ -81,6 +81,7 @@ void SimulationEngine::reset() {
   inputs_changed_ = true;
   applied_ = unchanged(*scene_.model);
   events_.clear();
+  stepper_.reset();
   use(applied_, {});
   auditor_ = std::make_unique<Auditor>(model_, choice_, state_);
 }
@@ -104,22 +105,30 @@ void SimulationEngine::use(ModelChanges changes, std::vector<BodyLoad> loads) {
   // The many-body path takes loads itself, unless drives make a model of their own for each of its steps.
   const bool are_forces = !is_many_body(choice_.method);
   make_model(are_forces);
-  choose_scheme();
+  const bool is_other_scheme = choose_scheme();
   const bool must_be_forces = !is_many_body(choice_.method) || !model_->drives().empty();
   if (are_forces != must_be_forces && !loads.empty()) make_model(must_be_forces);
   loads_ = std::move(loads);
-  stepper_ = make_stepper(model_, choice_, scene_.run.step, scene_.run.threads);
-  stepper_->set_interrupt(interrupt_);
   is_as_left_ = false;
-  steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
+  // Some steppers are dear to make; only where bodies are led it is another one.
+  const bool are_led = !changes.leads.empty() || !applied_.leads.empty();
+  if (!stepper_ || is_other_scheme || are_led || !stepper_->follow(model_)) make_stepper_anew();
   if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
 }
 
-void SimulationEngine::choose_scheme() {
+void SimulationEngine::make_stepper_anew() {
+  stepper_ = make_stepper(model_, choice_, scene_.run.step, scene_.run.threads);
+  stepper_->set_interrupt(interrupt_);
+  steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
+}
+
+/// Whether the choice is made anew.
+bool SimulationEngine::choose_scheme() {
   std::vector<ModelChanges::Surface> surfaces = unchanged(*model_).surfaces;
-  if (surfaces == surfaces_ && choice_.method.scheme != Scheme::automatic) return;
+  if (surfaces == surfaces_ && choice_.method.scheme != Scheme::automatic) return false;
   choice_ = resolve_scheme(*model_, scene_.method);
   surfaces_ = std::move(surfaces);
+  return true;
 }
 
 /// The change may move bodies that sleep.

@@ -70,7 +70,8 @@ class SimulationEngine {
 
  private:
   void follow_inputs(const std::vector<BodyLoad>& loads);
-  void choose_scheme();
+  bool choose_scheme();
+  void make_stepper_anew();
   void use(ModelChanges changes, std::vector<BodyLoad> loads);
   void wake();
   std::shared_ptr<const Model> model_with_loads() const;

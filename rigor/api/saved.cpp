@@ -99,7 +99,8 @@ SimulationEngine::WaitingLoads SimulationEngine::restore(std::string_view bytes)
     inputs_changed_ = inputs_changed;
     state_ = checkpoint.state;
     events_.clear();
-    // The model in which the books were kept.
+    // The model in which the books were kept, and a stepper of its own.
+    stepper_.reset();
     use(applied_, std::move(acting));
     auditor_ = std::make_unique<Auditor>(model_, choice_, state_, checkpoint.audit);
     return loads;
