@@ -8,6 +8,26 @@ include(CMakePackageConfigHelpers)
 set(rigor_symbols RIGOR_${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rigor_symbols.map CONTENT "${rigor_symbols} { global: *; };\n")
 
+# What a library is made of, however it is linked.
+function(rigor_library_target target output folder)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${output} LINKER_LANGUAGE CXX INSTALL_RPATH $ORIGIN
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    ARCHIVE_OUTPUT_DIRECTORY ${folder} LIBRARY_OUTPUT_DIRECTORY ${folder})
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL SHARED_LIBRARY)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/rigor_symbols.map -Wl,--no-undefined)
+  endif()
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE fmt::fmt)
+endfunction()
+
+# Shared libraries of the same objects beside static ones, for a test: a link each.
+set(rigor_tries_shared OFF)
+if(RIGOR_BUILD_TESTS AND NOT BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(rigor_tries_shared ON)
+endif()
+
 # rigor_library(name output layer...): one library of the objects of these layers.
 function(rigor_library name output)
   set(objects "")
@@ -17,16 +37,12 @@ function(rigor_library name output)
   set(target rigor_library_${name})
   add_library(${target} ${objects})
   add_library(rigor::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ${output} LINKER_LANGUAGE CXX
-    INSTALL_RPATH $ORIGIN
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-    ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
-  if(BUILD_SHARED_LIBS)
-    target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/rigor_symbols.map)
+  rigor_library_target(${target} ${output} ${PROJECT_BINARY_DIR}/lib)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  if(rigor_tries_shared)
+    add_library(${target}_shared SHARED ${objects})
+    rigor_library_target(${target}_shared ${output} ${PROJECT_BINARY_DIR}/shared)
   endif()
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE fmt::fmt)
   if(RIGOR_INSTALL)
     install(TARGETS ${target} EXPORT rigor_${name})
     install(EXPORT rigor_${name} NAMESPACE rigor:: FILE rigor-${name}.cmake
@@ -35,10 +51,16 @@ function(rigor_library name output)
 endfunction()
 
 rigor_library(geometry rigor_geometry core math geometry)
-target_link_libraries(rigor_library_geometry PRIVATE ${QHULL_LIBRARY})
 rigor_library(rigor rigor solver model dynamics contact bulk sim io view api)
-target_link_libraries(rigor_library_rigor PUBLIC rigor_library_geometry
-  PRIVATE yaml-cpp ${HDF5_C_LIBRARIES} PNG::PNG ZLIB::ZLIB TBB::tbb Threads::Threads)
+set(kinds "")
+if(rigor_tries_shared)
+  set(kinds _shared)
+endif()
+foreach(kind IN LISTS kinds ITEMS "")
+  target_link_libraries(rigor_library_geometry${kind} PRIVATE ${QHULL_LIBRARY})
+  target_link_libraries(rigor_library_rigor${kind} PUBLIC rigor_library_geometry${kind}
+    PRIVATE yaml-cpp ${HDF5_C_LIBRARIES} PNG::PNG ZLIB::ZLIB TBB::tbb Threads::Threads)
+endforeach()
 
 if(NOT RIGOR_INSTALL)
   return()

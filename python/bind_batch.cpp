@@ -1,6 +1,9 @@
 #include "binding.hpp"
 #include "signals.hpp"
 
+#include <rigor/core/range.hpp>
+#include <rigor/model/limits.hpp>
+
 #include <atomic>
 #include <memory>
 #include <thread>
@@ -33,18 +36,18 @@ class BatchInterrupt {
 /// Sets a function of Python as the controller of every world; it takes the lock of the interpreter.
 void set_controller(Batch& batch, const py::object& function, double period) {
   if (function.is_none()) return batch.set_controller({}, period);
-  // Whoever lets go of it last may not hold the lock.
-  const std::shared_ptr<py::object> shared(new py::object(function), [](py::object* own) {
-    const py::gil_scoped_acquire lock;
-    delete own;
-  });
+  const std::shared_ptr<py::object> shared = shared_function(function);
   batch.set_controller(
-      [shared](int index, Simulation& world) {
+      [shared, &batch](int index, Simulation& world) {
         const py::gil_scoped_acquire lock;
-        (*shared)(index, py::cast(&world, py::return_value_policy::reference));
+        // Who keeps the world keeps the batch.
+        const py::object owner = py::cast(&batch, py::return_value_policy::reference);
+        (*shared)(index, py::cast(&world, py::return_value_policy::reference_internal, owner));
       },
       period);
 }
+
+// Whatever is given for all worlds is looked at before anything is set in one of them.
 
 /// One number, or `columns` numbers, for each world.
 void require_shape(const Batch& batch, const Numbers& numbers, py::ssize_t columns, const char* what) {
@@ -56,14 +59,28 @@ void require_shape(const Batch& batch, const Numbers& numbers, py::ssize_t colum
                    (columns == 1 ? ",)" : ", " + std::to_string(columns) + ")"));
 }
 
+void require_in(const Numbers& numbers, const char* quantity, const Range& range, const char* unit) {
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+    const std::string fault = range_error(quantity, numbers.data()[i], range, unit);
+    if (!fault.empty()) throw InputError(fault);
+  }
+}
+
 /// The worlds that a list of indices, or an array of one flag for each world, stands for.
 std::vector<int> worlds_of(const Batch& batch, const py::object& which) {
+  constexpr const char* allowed = "worlds are an index, a list of indices, or an array of flags";
+  if (PyIndex_Check(which.ptr()) != 0 && !py::isinstance<py::array>(which)) return {index_of(which)};
   const py::array array = py::array::ensure(which);
-  if (!array) {
-    PyErr_Clear();
-    throw InputError("worlds are an index, a list of indices, or an array of flags");
+  if (!array) PyErr_Clear();
+  if (!array || array.ndim() != 1) throw py::type_error(allowed);
+  if (!py::isinstance<py::array_t<bool>>(array)) {
+    std::vector<int> worlds;
+    for (const py::handle index : array.attr("tolist")()) {
+      if (PyIndex_Check(index.ptr()) == 0) throw py::type_error(allowed);
+      worlds.push_back(index_of(index));
+    }
+    return worlds;
   }
-  if (!py::isinstance<py::array_t<bool>>(array)) return py::cast<std::vector<int>>(array.attr("tolist")());
   if (array.ndim() != 1 || array.shape(0) != batch.size())
     throw InputError("the flags must be an array of shape (" + std::to_string(batch.size()) + ",)");
   const auto flags = py::cast<std::vector<bool>>(array.attr("tolist")());
@@ -136,6 +153,7 @@ void bind_batch(py::module_& module) {
           "set_frictions",
           [](Batch& b, const std::string& material, const Numbers& numbers) {
             require_shape(b, numbers, 1, "frictions");
+            require_in(numbers, "friction", limits::friction, "");
             for (int i = 0; i < b.size(); ++i) b.world(i).set_friction(material, *numbers.data(i));
           },
           py::arg("material"), py::arg("frictions"), "Of a material in each world.")
@@ -143,6 +161,7 @@ void bind_batch(py::module_& module) {
           "set_restitutions",
           [](Batch& b, const std::string& material, const Numbers& numbers) {
             require_shape(b, numbers, 1, "restitutions");
+            require_in(numbers, "restitution", limits::restitution, "");
             for (int i = 0; i < b.size(); ++i) b.world(i).set_restitution(material, *numbers.data(i));
           },
           py::arg("material"), py::arg("restitutions"), "Of a material in each world.")
@@ -150,6 +169,7 @@ void bind_batch(py::module_& module) {
           "set_gravities",
           [](Batch& b, const Numbers& numbers) {
             require_shape(b, numbers, 3, "gravities");
+            require_in(numbers, "gravity", limits::gravity, "m/s²");
             for (int i = 0; i < b.size(); ++i) b.world(i).set_gravity(Vec3::Map(numbers.data(i, 0)));
           },
           py::arg("gravities"), "In each world [m/s²].")
@@ -178,6 +198,7 @@ void bind_batch(py::module_& module) {
           "apply_forces",
           [](Batch& b, const std::string& body, const Numbers& forces) {
             require_shape(b, forces, 3, "forces");
+            require_in(forces, "force", limits::force, "N");
             const BodyHandle handle = b.world(0).body(body);
             for (int i = 0; i < b.size(); ++i) b.world(i).apply_force(handle, Vec3::Map(forces.data(i, 0)));
           },
@@ -187,6 +208,7 @@ void bind_batch(py::module_& module) {
           "set_motor_efforts",
           [](Batch& b, const std::string& joint, const Numbers& efforts, int k) {
             require_shape(b, efforts, 1, "efforts");
+            require_in(efforts, "effort of the motor", limits::force, "N or N m");
             const JointHandle handle = b.world(0).joint(joint);
             for (int i = 0; i < b.size(); ++i) b.world(i).set_motor_effort(handle, *efforts.data(i), k);
           },
@@ -201,8 +223,9 @@ void bind_batch(py::module_& module) {
       .def(
           "reset",
           [](Batch& b, const py::object& which) {
-            if (py::isinstance<py::int_>(which)) return b.reset(py::cast<int>(which));
-            for (const int i : worlds_of(b, which)) b.reset(i);
+            const std::vector<int> worlds = worlds_of(b, which);
+            for (const int i : worlds) b.world(i);
+            for (const int i : worlds) b.reset(i);
           },
           py::arg("index"),
           "Returns worlds to t = 0: one, a list of indices, or those where an array of flags is true.");

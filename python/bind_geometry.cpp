@@ -1,17 +1,28 @@
 #include "binding.hpp"
 
+#include <rigor/core/range.hpp>
 #include <rigor/geometry/mesh/mesh_check.hpp>
+#include <rigor/model/limits.hpp>
+
+#include <cmath>
+#include <limits>
 
 namespace rigor::python {
 
 namespace {
 
 using Vertices = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
+
+/// The number of a vertex; -1 where it is none.
+int index_of_vertex(double given) {
+  const bool is_index = given >= 0 && given <= std::numeric_limits<int>::max() && given == std::floor(given);
+  return is_index ? static_cast<int>(given) : -1;
+}
 
 double positive(const char* what, double value) {
-  if (value >= 1e-9 && value <= 1e9) return value;
-  throw InputError(std::string(what) + " is " + std::to_string(value) + " m, must be from 1e-9 to 1e9 m");
+  const std::string fault = range_error(what, value, limits::size, "m");
+  if (!fault.empty()) throw InputError(fault);
+  return value;
 }
 
 Vec3 positive(const char* what, const Vec3& values) {
@@ -31,13 +42,16 @@ Solid make_convex(const Vertices& points) {
   return {Convex{std::make_shared<const ConvexHull>(std::move(std::get<ConvexHull>(hull)))}};
 }
 
-Solid make_solid_mesh(const Vertices& vertices, const Indices& triangles, bool may_be_open) {
+Solid make_solid_mesh(const Vertices& vertices, const Vertices& triangles, bool may_be_open) {
   if (triangles.ndim() != 2 || triangles.shape(1) != 3)
     throw InputError("triangles must be an array of shape (n, 3)");
   TriangleMesh mesh;
   mesh.vertices = points_of(vertices);
-  for (py::ssize_t i = 0; i < triangles.shape(0); ++i)
-    mesh.triangles.push_back({triangles.at(i, 0), triangles.at(i, 1), triangles.at(i, 2)});
+  for (py::ssize_t i = 0; i < triangles.shape(0); ++i) {
+    const double* const corners = triangles.data(i, 0);
+    mesh.triangles.push_back(
+        {index_of_vertex(corners[0]), index_of_vertex(corners[1]), index_of_vertex(corners[2])});
+  }
   MeshCheckOptions options;
   options.may_be_open = may_be_open;
   std::vector<std::string> messages;
@@ -68,13 +82,14 @@ std::optional<double> contact_time(const Solid& a, const Solid& b, const py::obj
                                    const py::object& pose_b, const Vec3& v_a, const Vec3& w_a,
                                    const Vec3& v_b, const Vec3& w_b, double t_end) {
   require_pair(a, b);
-  if (!(v_a.allFinite() && w_a.allFinite() && v_b.allFinite() && w_b.allFinite() && t_end > 0 && t_end < 1e9))
-    throw InputError("velocities must be finite and t_end > 0 s");
+  if (!(v_a.allFinite() && w_a.allFinite() && v_b.allFinite() && w_b.allFinite() && t_end > 0 &&
+        t_end <= 1e9))
+    throw InputError("velocities must be finite, and t_end > 0 s and at most 1e9 s");
   const TwistMotion of_a(pose_of(pose_a), v_a, w_a), of_b(pose_of(pose_b), v_b, w_b);
   const TimeOfContact found =
       find_time_of_contact({&a.shape, Pose(), &of_a}, {&b.shape, Pose(), &of_b}, 0, t_end);
   if (!found.is_complete)
-    throw InputError("the search gave up at t = " + std::to_string(found.lower) +
+    throw InputError("the search gave up at t = " + number_text(found.lower) +
                      " s: the bodies glide along each other");
   if (!found.is_contact) return std::nullopt;
   return found.upper;

@@ -1,6 +1,7 @@
 #include "binding.hpp"
 #include "signals.hpp"
 
+#include <rigor/core/range.hpp>
 #include <rigor/io/trajectory/audit_json.hpp>
 
 #include <filesystem>
@@ -36,9 +37,8 @@ std::unique_ptr<Record> record(const TextScene& given, const std::optional<doubl
   scene.run.threads = threads;
   for (const auto& [name, value] :
        {std::pair{"duration", scene.run.duration}, std::pair{"output_interval", scene.run.output_interval}}) {
-    if (!(value > 0 && value <= 1e9))
-      throw InputError(std::string(name) + " is " + std::to_string(value) +
-                       " s, must be > 0 s and at most 1e9 s");
+    const std::string fault = range_error(name, value, {0, 1e9, true}, "s");
+    if (!fault.empty()) throw InputError(fault);
   }
   if (scene.run.duration / scene.run.output_interval > 1e8)
     throw InputError("duration / output_interval gives more than 100000000 outputs");

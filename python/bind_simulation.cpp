@@ -9,15 +9,15 @@ namespace rigor::python {
 namespace {
 
 BodyHandle body_of(const Simulation& simulation, const py::handle& given) {
-  if (py::isinstance<py::str>(given)) return simulation.body(py::cast<std::string>(given));
+  if (py::isinstance<py::str>(given)) return simulation.body(text_of(given));
   if (!PyIndex_Check(given.ptr())) throw py::type_error("a body is its name or its index");
-  return {py::cast<int>(given)};
+  return {index_of(given)};
 }
 
 JointHandle joint_of(const Simulation& simulation, const py::handle& given) {
-  if (py::isinstance<py::str>(given)) return simulation.joint(py::cast<std::string>(given));
+  if (py::isinstance<py::str>(given)) return simulation.joint(text_of(given));
   if (!PyIndex_Check(given.ptr())) throw py::type_error("a joint is its name or its index");
-  return {py::cast<int>(given)};
+  return {index_of(given)};
 }
 
 template <int columns>
@@ -131,8 +131,20 @@ void bind_motion(py::class_<Simulation>& type) {
             return names;
           },
           "In the order of the scene.")
-      .def("_save", [](const Simulation& s) { return py::bytes(s.save()); })
-      .def("_restore", [](Simulation& s, const py::bytes& bytes) { s.restore(std::string(bytes)); });
+      .def(
+          "save", [](const Simulation& s) { return py::bytes(s.save()); },
+          "All there is, as bytes: restore() continues with the same bits.")
+      .def(
+          "restore", [](Simulation& s, const py::bytes& bytes) { s.restore(std::string(bytes)); },
+          py::arg("data"), "Continues from the bytes of save(), of a simulation of the same scene.")
+      .def(
+          "copy",
+          [](const Simulation& s) {
+            Simulation copy = s.clone();
+            copy.set_controller({});
+            return copy;
+          },
+          "An independent simulation that continues with the same bits, without the controller.");
 }
 
 void bind_places(py::class_<Simulation>& type) {
@@ -251,7 +263,13 @@ void bind_actions(py::class_<Simulation>& type) {
           "set_controller",
           [](Simulation& s, const py::object& f, double period) {
             if (f.is_none()) return s.set_controller({}, period);
-            s.set_controller(py::cast<Simulation::Controller>(f), period);
+            const std::shared_ptr<py::object> shared = shared_function(f);
+            s.set_controller(
+                [shared](Simulation& own) {
+                  const py::gil_scoped_acquire lock;
+                  (*shared)(py::cast(&own, py::return_value_policy::reference));
+                },
+                period);
           },
           py::arg("controller"), py::arg("period") = 0.0,
           "Calls controller(simulation) at every multiple of the period [s] (0: of the step) before the "
@@ -270,9 +288,16 @@ void bind_questions(py::class_<Simulation>& type) {
           [](const Simulation& s, const py::object& j) { return s.joint_forces(joint_of(s, j)); },
           py::arg("joint"), "The same with reaction and efforts, which are costly.")
       .def("take_events", &Simulation::take_events, "Events since the last call, as a list of Event.")
-      .def_property_readonly("energy", &Simulation::energy, "Mechanical energy [J].")
-      .def("_audit_json", [](const Simulation& s) { return audit_json(s.audit()); })
-      .def("_violations", [](const Simulation& s) { return s.audit().violations; });
+      .def_property_readonly("energy", &Simulation::energy,
+                             "Mechanical energy, without the potential of forces that are applied [J].")
+      .def(
+          "audit",
+          [](const Simulation& s) {
+            const Audit audit = s.audit();
+            return py::module_::import("rigor._simulation")
+                .attr("Audit")(audit_json(audit), audit.violations);
+          },
+          "How far the run so far can be trusted, as an Audit.");
 }
 
 void bind_queries(py::module_& module, py::class_<Simulation>& type) {

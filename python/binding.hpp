@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ inline py::array_t<double> copied(const std::vector<double>& numbers) {
   return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
+/// An index as Python gives it, where it may name something else too; what no int holds is as far out of
+/// range as can be.
+int index_of(const py::handle& given);
+/// A text of Python, which may hold what is none in UTF-8.
+std::string text_of(const py::handle& given);
+/// A function of Python that is called, and let go of, without the lock of the interpreter.
+std::shared_ptr<py::object> shared_function(const py::object& function);
 /// A pose as Python gives it: None, a position (3), position and quaternion w x y z (7), or a matrix (4 x 4).
 Pose pose_of(const py::object& given);
 /// Position and quaternion w x y z: 7 numbers.

@@ -6,7 +6,36 @@
 #include <rigor/io/files/version.hpp>
 #include <rigor/study/formula/time_formula.hpp>
 
+#include <algorithm>
+#include <limits>
+
 namespace rigor::python {
+
+int index_of(const py::handle& given) {
+  int is_too_large = 0;
+  const py::object whole = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+  if (!whole) throw py::error_already_set();
+  const long index = PyLong_AsLongAndOverflow(whole.ptr(), &is_too_large);
+  constexpr long lowest = std::numeric_limits<int>::min(), highest = std::numeric_limits<int>::max();
+  if (is_too_large != 0) return static_cast<int>(is_too_large > 0 ? highest : lowest);
+  return static_cast<int>(std::clamp(index, lowest, highest));
+}
+
+std::string text_of(const py::handle& given) {
+  Py_ssize_t length = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(given.ptr(), &length);
+  if (text == nullptr) throw py::error_already_set();
+  return {text, static_cast<std::size_t>(length)};
+}
+
+std::shared_ptr<py::object> shared_function(const py::object& function) {
+  if (PyCallable_Check(function.ptr()) == 0) throw py::type_error("a controller is a function, or None");
+  // Whoever lets go of it last may not hold the lock.
+  return {new py::object(function), [](py::object* own) {
+            const py::gil_scoped_acquire lock;
+            delete own;
+          }};
+}
 
 Pose pose_of(const py::object& given) {
   if (given.is_none()) return Pose();
@@ -25,7 +54,7 @@ Pose pose_of(const py::object& given) {
       constexpr double error = 1e-3;
       if (!(std::abs(q.norm() - 1) <= error))
         throw InputError("the quaternion of the pose (w, x, y, z) must have norm 1");
-      pose.R = rotation_matrix(q);
+      pose.R = rotation_matrix(q.normalized());
     }
   } else if (numbers.ndim() == 2 && numbers.shape(0) == 4 && numbers.shape(1) == 4) {
     const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(v);

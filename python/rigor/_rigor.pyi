@@ -6,6 +6,7 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
+from ._simulation import Audit
 from .geometry import Shape
 
 __version__: str
@@ -174,6 +175,14 @@ class CastHit:
 
 class Simulation:
     def __init__(self, scene: SceneData, separate: bool = False) -> None: ...
+    def save(self) -> bytes:
+        """All there is, as bytes: restore() continues with the same bits."""
+    def restore(self, data: bytes) -> None:
+        """Continues from the bytes of save(), of a simulation of the same scene."""
+    def copy(self) -> Simulation:
+        """An independent simulation that continues with the same bits, without the controller."""
+    def audit(self) -> Audit:
+        """How far the run so far can be trusted, as an Audit."""
     def step(self) -> None:
         """Advances by one step, `run.step` of the scene."""
     def advance_to(self, t: float) -> None:
@@ -260,7 +269,7 @@ class Simulation:
         """Events since the last call, as a list of Event."""
     @property
     def energy(self) -> float:
-        """Mechanical energy [J]."""
+        """Mechanical energy, without the potential of forces that are applied [J]."""
     def ray(self, origin: npt.ArrayLike, direction: npt.ArrayLike, max_fraction: float = float("inf")) -> Optional[RayHit]:
         """The first surface that a ray crosses, as a RayHit, or None."""
     def nearest(self, point: npt.ArrayLike | None, k: int = 1) -> list[tuple[int, float]]:

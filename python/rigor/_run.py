@@ -11,6 +11,15 @@ from ._scene import Scene
 from ._simulation import Audit
 
 
+def _place(places, name, what):
+    """Where a name is; a KeyError with the names that there are."""
+    if name in places:
+        return places[name]
+    names = list(places)
+    known = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
+    raise KeyError(f"no {what} {name!r}; there are: {known}" if names else f"no {what} {name!r}; there is none")
+
+
 class Columns(Mapping):
     """Arrays by the name of their body: slices of one array, no copies. `array` has all of them (T x n x k)."""
 
@@ -19,7 +28,7 @@ class Columns(Mapping):
         self.array = array
 
     def __getitem__(self, name):
-        return self.array[:, self._index[name]]
+        return self.array[:, _place(self._index, name, "body")]
 
     def __iter__(self):
         return iter(self._index)
@@ -39,7 +48,7 @@ class Joints(Mapping):
         self.array = array
 
     def __getitem__(self, name):
-        return self.array[:, self._range[name]]
+        return self.array[:, _place(self._range, name, "joint")]
 
     def __iter__(self):
         return iter(self._range)
@@ -140,13 +149,14 @@ def _recorded(scene, how):
 def run(scene, duration=None, *, output_interval=None, threads=1, separate=False, files=(), progress=False):
     """Runs a scene (or a file of one) and returns a Run.
 
-    duration and output_interval [s]: those of the scene, unless given. files: written on the way (.csv, .h5, .json,
-    .html, .png). progress: True for a line on stderr, or a function of the time. Ctrl-C raises KeyboardInterrupt.
+    duration and output_interval [s]: those of the scene, unless given. files: one or several that are written on the
+    way (.csv, .h5, .json, .html, .png). progress: True for a line on stderr, or a function of the time. Ctrl-C raises KeyboardInterrupt.
     """
     if not isinstance(scene, Scene):
         from ._scene import load
 
         scene = load(scene)
+    files = [files] if isinstance(files, (str, os.PathLike)) else files
     how = {"duration": duration, "output_interval": output_interval, "threads": threads, "separate": separate,
            "files": [os.fspath(file) for file in files], "progress": None}
     line = progress is True

@@ -89,6 +89,13 @@ class Scene:
         return f"<rigor.Scene {self.name!r}: {len(self.bodies)} bodies, {len(self.joints)} joints>"
 
 
+def data_of(scene):
+    """What the compiled part knows of a scene."""
+    if isinstance(scene, Scene):
+        return scene._data
+    raise TypeError(f"a scene is a rigor.Scene, as rigor.load(file) gives one, not a {type(scene).__name__}")
+
+
 def _remade(text, name, folder, overrides):
     scene = Scene.__new__(Scene)
     scene._begin(text, name, folder, overrides)

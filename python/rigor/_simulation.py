@@ -3,6 +3,7 @@
 import json
 
 from . import _rigor
+from ._scene import data_of
 
 
 class Audit(dict):
@@ -26,16 +27,8 @@ class Simulation(_rigor.Simulation):
     """
 
     def __init__(self, scene, separate=False):
-        super().__init__(scene._data, separate)
+        super().__init__(data_of(scene), separate)
         self.scene = scene.copy()
-
-    def save(self):
-        """All there is, as bytes: restore() continues with the same bits."""
-        return self._save()
-
-    def restore(self, data):
-        """Continues from the bytes of save(), of a simulation of the same scene."""
-        self._restore(data)
 
     def copy(self):
         """An independent simulation that continues with the same bits, without the controller."""
@@ -47,11 +40,7 @@ class Simulation(_rigor.Simulation):
         return self.copy()
 
     def __reduce__(self):
-        return _restored, (self.scene, self._save())
-
-    def audit(self):
-        """How far the run so far can be trusted, as an Audit."""
-        return Audit(self._audit_json(), self._violations())
+        return _restored, (self.scene, self.save())
 
     def __repr__(self):
         return f"<rigor.Simulation of {self.scene.name!r} at t = {self.time:g} s>"
@@ -59,7 +48,7 @@ class Simulation(_rigor.Simulation):
 
 def _restored(scene, data):
     simulation = Simulation(scene, True)
-    simulation._restore(data)
+    simulation.restore(data)
     return simulation
 
 
@@ -67,5 +56,5 @@ class Batch(_rigor.Batch):
     """Many worlds that begin as the same scene and go their own ways, on several threads (0: all)."""
 
     def __init__(self, scene, count, threads=0):
-        super().__init__(scene._data, count, threads)
+        super().__init__(data_of(scene), count, threads)
         self.scene = scene.copy()

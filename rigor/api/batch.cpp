@@ -4,6 +4,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -16,9 +17,18 @@
 
 namespace rigor {
 
+namespace {
+
+/// What is surely a slip: a world takes some kilobytes.
+constexpr int most_worlds = 1'000'000, most_threads = 1024;
+
+}  // namespace
+
 Batch::Batch(const Scene& scene, int count, int threads) : threads_(threads) {
-  if (count < 1) throw InputError(fmt::format("the batch has {} worlds, must be at least 1", count));
-  if (threads < 0) throw InputError(fmt::format("threads is {}, must be at least 0", threads));
+  if (count < 1 || count > most_worlds)
+    throw InputError(fmt::format("the batch has {} worlds, must be from 1 to {}", count, most_worlds));
+  if (threads < 0 || threads > most_threads)
+    throw InputError(fmt::format("threads is {}, must be from 0 (all) to {}", threads, most_threads));
   if (threads_ == 0) threads_ = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Scene of_world = scene;
   of_world.run.threads = 1;
@@ -130,16 +140,32 @@ namespace {
 /// Numbers of a body in Batch::states().
 constexpr std::size_t width = 13;
 
+/// Throws if the numbers of a body of a world cannot be.
+void check_body(const Model& model, std::size_t world, std::size_t body, const double* numbers) {
+  const Body& own = model.body(static_cast<int>(body));
+  if (own.motion == MotionType::fixed) return;
+  const Quat q(numbers[3], numbers[4], numbers[5], numbers[6]);
+  std::string fault;
+  if (!(std::abs(q.norm() - 1) <= limits::quaternion_error))
+    fault = fmt::format("the quaternion (w, x, y, z) has norm {}, must have 1", q.norm());
+  const auto check = [&](const char* quantity, std::size_t first, const Range& range, const char* unit) {
+    for (std::size_t k = first; k < first + 3 && fault.empty(); ++k)
+      fault = range_error(quantity, numbers[k], range, unit);
+  };
+  check("position", 0, limits::position, "m");
+  if (own.motion == MotionType::dynamic) {
+    check("velocity", 7, limits::speed, "m/s");
+    check("angular velocity", 10, limits::angular_speed, "rad/s");
+  }
+  if (!fault.empty())
+    throw InputError(fmt::format("world {}, body {}: {}", world, quoted_text(own.name), fault));
+}
+
 /// Puts a body where its numbers say.
 void set_body(Simulation& world, int i, const double* numbers) {
   const MotionType motion = world.model().body(i).motion;
   if (motion == MotionType::fixed) return;
   const Quat q(numbers[3], numbers[4], numbers[5], numbers[6]);
-  constexpr double error = 1e-3;
-  if (!(std::abs(q.norm() - 1) <= error)) {
-    throw InputError(fmt::format("the quaternion (w, x, y, z) of body {} has norm {}, must have 1",
-                                 quoted_text(world.name(BodyHandle{i})), q.norm()));
-  }
   world.set_pose(BodyHandle{i}, {rotation_matrix(q.normalized()), Vec3::Map(numbers)});
   if (motion == MotionType::dynamic)
     world.set_velocity(BodyHandle{i}, Vec3::Map(numbers + 7), Vec3::Map(numbers + 10));
@@ -155,6 +181,10 @@ void Batch::set_states(std::span<const double> states) {
         fmt::format("the states are {} numbers, must be {}: {} for each of {} bodies of {} worlds",
                     states.size(), count, width, bodies, worlds_.size()));
   }
+  // All are looked at before one is put anywhere.
+  const Model& model = worlds_.front().model();
+  for (std::size_t k = 0; k < bodies * worlds_.size(); ++k)
+    check_body(model, k / bodies, k % bodies, &states[width * k]);
   for_each([&](int i, Simulation& world) {
     for (std::size_t k = 0; k < bodies; ++k)
       set_body(world, static_cast<int>(k), &states[width * (at(i) * bodies + k)]);

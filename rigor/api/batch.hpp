@@ -14,8 +14,12 @@ namespace rigor {
 /// Simulation on one thread; its motion does not depend on the others, nor on how many threads there are.
 class Batch {
  public:
-  /// count >= 1 worlds; threads >= 1, 0: as many as the machine has. Throws as Simulation does.
+  /// 1 to 1,000,000 worlds; at most 1024 threads, 0: as many as the machine has. Throws as Simulation does.
   Batch(const Scene& scene, int count, int threads = 0);
+  /// Worlds go their own ways: they can be moved, and each be cloned.
+  Batch(Batch&& other) = default;
+  /// Likewise.
+  Batch& operator=(Batch&& other) = default;
 
   /// Number of worlds.
   int size() const { return static_cast<int>(worlds_.size()); }

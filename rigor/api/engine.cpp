@@ -40,6 +40,10 @@ bool changes_nothing(const ModelChanges& changes, const Model& scene) {
          changes.axes.empty() && changes.kinematic_motions.empty() && changes.added_forces.empty();
 }
 
+bool is_many_body(const Method& method) {
+  return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+}
+
 /// The State at t = 0 without overlaps.
 State start_of(const Scene& scene, bool separate) {
   constexpr std::size_t most_messages = 10;
@@ -77,7 +81,8 @@ void SimulationEngine::reset() {
   inputs_changed_ = true;
   applied_ = unchanged(*scene_.model);
   events_.clear();
-  use(scene_.model, {});
+  stepper_.reset();
+  use(applied_, {});
   auditor_ = std::make_unique<Auditor>(model_, choice_, state_);
 }
 
@@ -90,23 +95,40 @@ void SimulationEngine::inputs_changed() {
   inputs_changed_ = true;
 }
 
-/// Goes on with this model, in which these loads act unless the stepper takes them.
-void SimulationEngine::use(std::shared_ptr<const Model> model, std::vector<BodyLoad> loads) {
-  model_ = std::move(model);
+/// Goes on with the scene under these changes and loads.
+void SimulationEngine::use(ModelChanges changes, std::vector<BodyLoad> loads) {
+  const auto make_model = [&](bool with_loads) {
+    changes.added_forces = with_loads ? forces_of_loads(loads) : std::vector<Force>{};
+    // Worlds in which nothing is set share the model of the scene.
+    model_ = changes_nothing(changes, *scene_.model) ? scene_.model : changed_model(*scene_.model, changes);
+  };
+  // The many-body path takes loads itself, unless drives make a model of their own for each of its steps.
+  const bool are_forces = !is_many_body(choice_.method);
+  make_model(are_forces);
+  const bool is_other_scheme = choose_scheme();
+  const bool must_be_forces = !is_many_body(choice_.method) || !model_->drives().empty();
+  if (are_forces != must_be_forces && !loads.empty()) make_model(must_be_forces);
   loads_ = std::move(loads);
-  choose_scheme();
-  stepper_ = make_stepper(model_, choice_, scene_.run.step, scene_.run.threads);
-  stepper_->set_interrupt(interrupt_);
   is_as_left_ = false;
-  steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
+  // Some steppers are dear to make; only where bodies are led it is another one.
+  const bool are_led = !changes.leads.empty() || !applied_.leads.empty();
+  if (!stepper_ || is_other_scheme || are_led || !stepper_->follow(model_)) make_stepper_anew();
   if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
 }
 
-void SimulationEngine::choose_scheme() {
+void SimulationEngine::make_stepper_anew() {
+  stepper_ = make_stepper(model_, choice_, scene_.run.step, scene_.run.threads);
+  stepper_->set_interrupt(interrupt_);
+  steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
+}
+
+/// Whether the choice is made anew.
+bool SimulationEngine::choose_scheme() {
   std::vector<ModelChanges::Surface> surfaces = unchanged(*model_).surfaces;
-  if (surfaces == surfaces_ && choice_.method.scheme != Scheme::automatic) return;
+  if (surfaces == surfaces_ && choice_.method.scheme != Scheme::automatic) return false;
   choice_ = resolve_scheme(*model_, scene_.method);
   surfaces_ = std::move(surfaces);
+  return true;
 }
 
 /// The change may move bodies that sleep.
@@ -130,17 +152,15 @@ void SimulationEngine::follow_inputs(const std::vector<BodyLoad>& loads) {
     steps_in_bulk_->set_loads(loads_);
     return;
   }
-  // Worlds in which nothing is set share the model of the scene.
-  ModelChanges changes = inputs_.changes;
-  if (!steps_in_bulk_) changes.added_forces = forces_of_loads(all);
-  std::shared_ptr<const Model> model =
-      changes_nothing(changes, *scene_.model) ? scene_.model : changed_model(*scene_.model, changes);
-  inputs_changed_ = false;
-  if (model == model_ && are_same) return;
+  if (are_same && model_ == scene_.model && changes_nothing(inputs_.changes, *scene_.model)) {
+    inputs_changed_ = false;
+    return;
+  }
   // The past stays as it was: bodies are anchored where they are before another law moves them.
   state_.anchor_here();
   wake();
-  use(std::move(model), std::move(all));
+  use(inputs_.changes, std::move(all));
+  inputs_changed_ = false;
   auditor_->change(model_, state_);
   applied_ = inputs_.changes;
 }
@@ -227,7 +247,13 @@ std::vector<MotionEvent> SimulationEngine::take_events() {
 }
 
 double SimulationEngine::energy() const {
-  return mechanical_energy(*model_, auditor_->environment(), state_).total();
+  double energy = mechanical_energy(*model_, auditor_->environment(), state_).total();
+  if (steps_in_bulk_) return energy;
+  // Forces that are applied have a potential in the model, but none in the scene.
+  for (const BodyLoad& load : loads_) {
+    if (!load.turns_with_body) energy += load.wrench.f_W.dot(state_.position(load.body));
+  }
+  return energy;
 }
 
 Audit SimulationEngine::audit() const {

@@ -70,8 +70,9 @@ class SimulationEngine {
 
  private:
   void follow_inputs(const std::vector<BodyLoad>& loads);
-  void choose_scheme();
-  void use(std::shared_ptr<const Model> model, std::vector<BodyLoad> loads);
+  bool choose_scheme();
+  void make_stepper_anew();
+  void use(ModelChanges changes, std::vector<BodyLoad> loads);
   void wake();
   std::shared_ptr<const Model> model_with_loads() const;
   std::vector<BodyLoad> all_loads(const std::vector<BodyLoad>& loads) const;

@@ -20,6 +20,46 @@ using Json = nlohmann::ordered_json;
 
 constexpr int saved_version = 1;
 
+/// Looks at bytes of CBOR without keeping them: parsing is by recursion, and a megabyte of brackets would
+/// fill the stack.
+class DepthGuard : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return begin(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return end(); }
+  bool start_array(std::size_t) override { return begin(); }
+  bool end_array() override { return end(); }
+  bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+    what_ = error.what();
+    return false;
+  }
+  const std::string& what() const { return what_; }
+
+ private:
+  static constexpr int most = 16;  ///< What save() writes has 6.
+  bool begin() { return ++depth_ <= most; }
+  bool end() {
+    --depth_;
+    return true;
+  }
+  int depth_ = 0;
+  std::string what_ = "lists in lists in lists";
+};
+
+Json parsed(std::string_view bytes) {
+  DepthGuard guard;
+  if (!Json::sax_parse(bytes.begin(), bytes.end(), &guard, Json::input_format_t::cbor))
+    throw InputError("these are not the bytes of a saved simulation: " + guard.what());
+  return Json::from_cbor(bytes.begin(), bytes.end());
+}
+
 }  // namespace
 
 std::string SimulationEngine::save(const WaitingLoads& loads) const {
@@ -38,7 +78,7 @@ std::string SimulationEngine::save(const WaitingLoads& loads) const {
 
 SimulationEngine::WaitingLoads SimulationEngine::restore(std::string_view bytes) {
   try {
-    const Json json = Json::from_cbor(bytes.begin(), bytes.end());
+    const Json json = parsed(bytes);
     if (json.at("rigor simulation").get<int>() != saved_version)
       throw InputError("these bytes are of another version of Rigor");
     SimulationInputs inputs, same, applied;
@@ -49,10 +89,7 @@ SimulationEngine::WaitingLoads SimulationEngine::restore(std::string_view bytes)
     read_inputs(json.at("applied"), *scene_.model, applied, acting);
     const bool inputs_changed = json.at("inputs changed").get<bool>();
 
-    // The model in which the books were kept.
-    ModelChanges changes = applied.changes;
-    if (!steps_in_bulk_) changes.added_forces = forces_of_loads(acting);
-    std::shared_ptr<const Model> model = changed_model(*scene_.model, changes);
+    const std::shared_ptr<const Model> model = changed_model(*scene_.model, applied.changes);
     const auto& binary = json.at("checkpoint").get_binary();
     const Checkpoint checkpoint =
         parse_checkpoint({reinterpret_cast<const char*>(binary.data()), binary.size()}, "saved simulation",
@@ -62,7 +99,9 @@ SimulationEngine::WaitingLoads SimulationEngine::restore(std::string_view bytes)
     inputs_changed_ = inputs_changed;
     state_ = checkpoint.state;
     events_.clear();
-    use(std::move(model), std::move(acting));
+    // The model in which the books were kept, and a stepper of its own.
+    stepper_.reset();
+    use(applied_, std::move(acting));
     auditor_ = std::make_unique<Auditor>(model_, choice_, state_, checkpoint.audit);
     return loads;
   } catch (const Json::exception& error) {

@@ -5,11 +5,14 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/model/limits.hpp"
 #include "rigor/sim/report/energy.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -25,15 +28,22 @@ Scene scene_of(std::shared_ptr<const Model> model, const Method& method, double 
   return scene;
 }
 
-/// The multiple of the interval after t, where a time that is one to rounding is one.
-double next_multiple(double interval, double t) {
-  constexpr double rounding = 1e-9;
-  return (std::floor(t / interval + rounding) + 1) * interval;
+/// By how much a time may miss a multiple of the interval and be one: late in a run the time itself is not
+/// known better.
+double rounding_at(double interval, double t) {
+  constexpr double share_of_interval = 1e-9, share_of_time = 4 * std::numeric_limits<double>::epsilon();
+  return std::max(share_of_interval * interval, share_of_time * t);
 }
 
 bool is_multiple(double interval, double t) {
-  constexpr double rounding = 1e-9;
-  return std::abs(std::remainder(t, interval)) <= rounding * interval;
+  return std::abs(std::remainder(t, interval)) <= rounding_at(interval, t);
+}
+
+/// The multiple of the interval after t. Where intervals are lost in the rounding of t, the next time that
+/// there is.
+double next_multiple(double interval, double t) {
+  const double next = (std::floor((t + rounding_at(interval, t)) / interval) + 1) * interval;
+  return std::max(next, std::nextafter(t, std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ void Simulation::advance_to(double t) {
       if (is_multiple(parts.period, time())) parts.control(*this);
       // What is left beyond the last instant is a rounding of it.
       const double next = next_multiple(parts.period, time());
-      if (next < t && !(t - next < 1e-9 * parts.period)) until = next;
+      if (next < t && !(t - next < rounding_at(parts.period, t))) until = next;
     }
     std::vector<BodyLoad> loads = parts.loads;
     loads.insert(loads.end(), parts.control_loads.begin(), parts.control_loads.end());
@@ -105,8 +115,8 @@ void Simulation::set_interrupt(std::function<bool()> interrupt) {
 }
 
 void Simulation::set_controller(Controller controller, double period) {
-  if (!(std::isfinite(period) && period >= 0))
-    throw InputError(fmt::format("the period of the controller is {} s, must be at least 0 s", period));
+  const std::string fault = range_error("the period of the controller", period, limits::interval, "s");
+  if (period != 0 && !fault.empty()) throw InputError(fault + ", or 0: that of the steps");
   parts_->controller = std::move(controller);
   parts_->period = period > 0 ? period : step_length();
   parts_->control_loads.clear();

@@ -163,7 +163,7 @@ class Simulation {
   const SceneQueries& queries() const;
   /// How far the run so far can be trusted. Work of forces, motors and of everything that was set is in it.
   Audit audit() const;
-  double energy() const;  ///< Mechanical energy now [J].
+  double energy() const;  ///< Mechanical energy now, without the potential of forces that are applied [J].
 
   /// All there is but controller and interrupt; restore() continues with the same bits in any simulation of
   /// the same scene. Throws InputError for bytes that are none of it, and changes nothing then.

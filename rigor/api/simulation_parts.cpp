@@ -29,6 +29,7 @@ std::vector<std::string> names_of(const Items& items) {
 
 int checked_index(int index, int count, const char* what) {
   if (index >= 0 && index < count) return index;
+  if (count == 0) throw InputError(fmt::format("the scene has no {}", what));
   throw InputError(fmt::format("the handle of the {} is {}, must be from 0 to {}", what, index, count - 1));
 }
 
@@ -94,6 +95,7 @@ JointAxis Simulation::Parts::laws_of_scene(int joint, int coordinate) const {
 }
 
 void Simulation::Parts::set_motor(const ModelChanges::Axis& motor, double effort) {
+  check_change(*engine.scene().model, motor);
   SimulationInputs& inputs = engine.inputs();
   inputs.set_effort({motor.joint, motor.coordinate, effort});
   if (inputs.set_motor(*engine.scene().model, motor)) engine.inputs_changed();

@@ -95,8 +95,8 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
     check_shape(shape.shape, body.motion == MotionType::dynamic, name, memory, findings);
     findings.check(name + ": position", shape.p_US, limits::position, "m");
     findings.check(name + ": orientation", shape.q_US);
-    findings.require(shape.color.empty() || is_color(shape.color),
-                     name + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
+    if (!shape.color.empty() && !is_color(shape.color))
+      findings.add(name + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
     const int material = find_material(shape, materials, name, findings);
     BodyShape placed;
     placed.shape = shape.shape;

@@ -23,8 +23,18 @@ ModelChanges unchanged(const Model& model) {
 
 namespace {
 
-/// Puts the drive of a change in the place of those that the coordinate has.
-void change_drive(const ModelChanges::Axis& change, Joint& joint, Drives& drives, Findings& findings) {
+/// Puts the laws and the drive of a change in the place of those that the coordinate has.
+void change_axis(const ModelChanges::Axis& change, Joint& joint, Drives& drives,
+                 std::vector<std::string>& messages) {
+  // Laws keep the limits of the model, which held the coordinate at t = 0.
+  JointAxis& axis = joint.axes[at(change.coordinate)];
+  const double lower = axis.lower, upper = axis.upper;
+  axis = change.laws;
+  axis.lower = lower;
+  axis.upper = upper;
+  const double start = std::clamp(0.0, joint.axes.front().lower, joint.axes.front().upper);
+  Findings findings("", "joint " + quoted_text(joint.name), messages);
+  check_joint_axes(joint.type, joint.axes, start, findings);
   std::erase_if(drives.joints, [&change](const JointDrive& own) {
     return own.joint == change.joint && own.coordinate == change.coordinate;
   });
@@ -34,6 +44,14 @@ void change_drive(const ModelChanges::Axis& change, Joint& joint, Drives& drives
 }
 
 }  // namespace
+
+void check_change(const Model& model, const ModelChanges::Axis& change) {
+  std::vector<std::string> messages;
+  Joint joint = model.joint(change.joint);
+  Drives drives;
+  change_axis(change, joint, drives, messages);
+  if (!messages.empty()) throw InputError(std::move(messages));
+}
 
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes) {
   RIGOR_ASSERT(changes.surfaces.size() == model.materials().size());
@@ -49,19 +67,8 @@ std::shared_ptr<const Model> changed_model(const Model& model, const ModelChange
     findings.check("friction", material.friction, limits::friction, "");
     findings.check("restitution", material.restitution, limits::restitution, "");
   }
-  // Laws of joints keep the limits of the model, which held the coordinate at t = 0.
-  for (const ModelChanges::Axis& change : changes.axes) {
-    Joint& joint = changed.joints_[at(change.joint)];
-    JointAxis& axis = joint.axes[at(change.coordinate)];
-    const double lower = axis.lower, upper = axis.upper;
-    axis = change.laws;
-    axis.lower = lower;
-    axis.upper = upper;
-    const double start = std::clamp(0.0, joint.axes.front().lower, joint.axes.front().upper);
-    Findings findings("", "joint " + quoted_text(joint.name), messages);
-    check_joint_axes(joint.type, joint.axes, start, findings);
-    change_drive(change, joint, changed.drives_, findings);
-  }
+  for (const ModelChanges::Axis& change : changes.axes)
+    change_axis(change, changed.joints_[at(change.joint)], changed.drives_, messages);
   if (changes.ends_drives) changed.drives_ = {};
   for (const ModelChanges::KinematicMotion& kinematic_motion : changes.kinematic_motions) {
     Body& body = changed.bodies_[at(kinematic_motion.body)];

@@ -42,6 +42,8 @@ struct ModelChanges {
 /// No change: the gravity and the surfaces of the model.
 ModelChanges unchanged(const Model& model);
 
+/// Throws InputError if changed_model() refused these laws for that coordinate.
+void check_change(const Model& model, const ModelChanges::Axis& change);
 /// The model with these changes; the bodies, and so the States that belong to it, are the same. Throws
 /// InputError if a value is outside its limits. added_forces and kinematic_motions are not checked.
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);

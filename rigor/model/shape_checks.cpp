@@ -57,8 +57,8 @@ struct ShapeCheck {
   bool operator()(const Ellipsoid& s) { return findings.check(what + ": radii", s.radii, limits::size, "m"); }
   bool operator()(const HalfSpace& s) {
     if (!findings.check(what + ": offset", s.offset, limits::position, "m")) return false;
-    if (!findings.require(std::abs(s.normal.norm() - 1) <= 1e-9,
-                          what + ": normal is " + vector_text(s.normal) + ", must have length 1")) {
+    if (!(std::abs(s.normal.norm() - 1) <= 1e-9)) {
+      findings.add(what + ": normal is " + vector_text(s.normal) + ", must have length 1");
       return false;
     }
     return findings.require(!needs_volume,

@@ -36,6 +36,65 @@ TEST_P(EveryControlledScheme, AnEffortIsATorqueAboutTheAxis) {
   EXPECT_EQ(violations_of(simulation), "");
 }
 
+TEST_P(EveryControlledScheme, AnEffortActsOnceBesideAServoThatComesAndGoes) {
+  // A servo with a largest force is a function of the time, for which the scheme is another one than without
+  // it.
+  const Scene two_wheels = scene(R"(
+world: {gravity: [0, 0, 0]}
+bodies:
+  - {name: wheel, position: [0, 2, 1], mass: 2, shapes: [{type: cylinder, radius: 0.3, length: 0.1}]}
+  - {name: other, position: [0, 0, 1], mass: 2, shapes: [{type: cylinder, radius: 0.3, length: 0.1}]}
+joints:
+  - {name: axle, type: hinge, bodies: [world, wheel], anchor: [0, 2, 1], axis: [0, 0, 1]}
+  - {name: shaft, type: hinge, bodies: [world, other], anchor: [0, 0, 1], axis: [0, 0, 1]}
+)");
+  Simulation simulation(two_wheels);
+  const double torque = 0.18;
+  const auto rate = [&simulation] { return simulation.joint_motion("axle").rates[0]; };
+  simulation.set_motor_position("shaft", 0.2, 5, 0.5, 0, 1);
+  simulation.set_motor_effort("axle", torque);
+  simulation.advance_to(0.1);
+  EXPECT_NEAR(rate(), torque * 0.1 / wheel_moment, tolerance());
+  Simulation restored(two_wheels);
+  restored.restore(simulation.save());
+  simulation.release_motor("shaft");
+  restored.release_motor("shaft");
+  simulation.advance_to(0.2);
+  EXPECT_NEAR(rate(), torque * 0.2 / wheel_moment, tolerance());
+  simulation.set_motor_position("shaft", 0, 5, 0.5, 0, 1);
+  simulation.advance_to(0.3);
+  EXPECT_NEAR(rate(), torque * 0.3 / wheel_moment, tolerance());
+  restored.advance_to(0.2);
+  restored.set_motor_position("shaft", 0, 5, 0.5, 0, 1);
+  restored.advance_to(0.3);
+  EXPECT_EQ(restored.velocities(), simulation.velocities());
+  EXPECT_EQ(restored.positions(), simulation.positions());
+  EXPECT_EQ(violations_of(simulation), "");
+}
+
+TEST_P(EveryControlledScheme, ChangesInEachStepHaveTheBitsOfASimulationBegunAnew) {
+  // Some steppers go on with what has changed; one that restores has a stepper of its own each time.
+  const Scene busy = scene(busy_scene);
+  Simulation kept(busy), anew(busy);
+  for (int i = 0; i < 12; ++i) {
+    anew.restore(anew.save());
+    for (Simulation* own : {&kept, &anew}) {
+      if (i % 3 == 0) own->set_motor_velocity("axle", 0.3 * i, 2);
+      if (i % 3 == 1) own->set_motor_position("axle", 0.1 * i, 5, 0.5, 0, 1);
+      if (i % 3 == 2) own->set_motor_position("axle", 0.1, 5 + i, 0.5);
+      if (i % 4 == 1) own->set_motor_effort("axle", 0.1);
+      if (i % 4 == 2) own->set_gravity(Vec3(0, 0.1 * i, -9));
+      if (i == 5) own->set_friction("rubber", 0.2);
+      if (i == 7) own->move_to("cart", {Mat3::Identity(), Vec3(0, -2, 1.2)}, 0.03);
+      own->apply_force("box", Vec3(0.1 * i, 0, 1));
+      own->step();
+    }
+    ASSERT_EQ(kept.positions(), anew.positions()) << "step " << i;
+    ASSERT_EQ(kept.velocities(), anew.velocities()) << "step " << i;
+    ASSERT_EQ(kept.angular_velocities(), anew.angular_velocities()) << "step " << i;
+  }
+}
+
 TEST_P(EveryControlledScheme, AnEffortBetweenTwoBodiesKeepsTheirMomentum) {
   // A slider between two free bodies: the force acts on both, along the line through both anchors.
   Simulation simulation(scene(R"(

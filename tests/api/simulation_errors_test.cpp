@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace rigor::simulation_errors_test {
 namespace {
@@ -51,7 +52,7 @@ TEST(SimulationErrors, SayWhatIsAllowed) {
   holds(message_of([&] { s.advance_to(nan); }), "must be at least");
   holds(message_of([&] { s.set_controller([](Simulation&) {}, nan); }), "period");
   holds(message_of([&] { s.restore("nonsense"); }), "not the bytes of a saved simulation");
-  holds(message_of([&] { Batch(s.scene(), 0); }), "at least 1");
+  holds(message_of([&] { Batch(s.scene(), 0); }), "must be from 1 to 1000000");
   s.set_controller([](Simulation& own) { own.advance_to(5); });
   holds(message_of([&] { s.step(); }), "a controller cannot advance");
   s.set_controller({});
@@ -70,6 +71,68 @@ joints:
   EXPECT_NE(message_of([&] { s.set_motor_effort("cross", 1); }).find("use set_motor_velocity"),
             std::string::npos);
   EXPECT_NE(message_of([&] { s.set_motor_velocity("socket", 1); }).find("takes no motor"), std::string::npos);
+}
+
+TEST(SimulationErrors, WhatAJointCannotHaveIsRefusedWhereItIsSet) {
+  Simulation s(scene_with("{scheme: event-driven}", R"(
+bodies:
+  - {name: ball, position: [0, 0, 0], mass: 1, shapes: [{type: sphere, radius: 0.1}]}
+joints:
+  - {name: rod, type: distance, bodies: [world, ball], anchors: [[0, 0, 1], [0, 0, 0]]}
+)"));
+  const std::string before = s.save();
+  EXPECT_NE(message_of([&] { s.set_motor_velocity("rod", 1); }).find("give it limits"), std::string::npos);
+  EXPECT_NE(message_of([&] { s.set_motor_position("rod", 1, 2, 3); }).find("give it limits"),
+            std::string::npos);
+  EXPECT_EQ(s.save(), before);
+  s.step();
+  Simulation alone(scene_with("{scheme: event-driven}", floating_ball));
+  EXPECT_EQ(message_of([&] { alone.joint_motion(JointHandle{3}); }), "the scene has no joint");
+}
+
+TEST(SimulationErrors, ControllersOfTinyPeriodsEnd) {
+  Simulation s(scene_with("{scheme: event-driven}", floating_ball));
+  EXPECT_NE(message_of([&] { s.set_controller([](Simulation&) {}, 1e-300); }).find("must be from 1e-12"),
+            std::string::npos);
+  // After 1e6 s times lie 1.2e-10 s apart: more than the period.
+  s.advance_to(1e6);
+  int calls = 0;
+  s.set_controller([&calls](Simulation&) { ++calls; }, 1e-12);
+  s.advance_to(1e6 + 1e-9);
+  EXPECT_GT(calls, 0);
+  EXPECT_LT(calls, 20);
+}
+
+TEST(SimulationErrors, ControllersAreCalledInTimeLateInARun) {
+  // 1e6 s are not known to 1e-9 of a millisecond.
+  Simulation s(scene_with("{scheme: event-driven}", floating_ball));
+  s.advance_to(1e6);
+  std::vector<double> times;
+  s.set_controller([&times](Simulation& own) { times.push_back(own.time()); }, 0.001);
+  s.advance_to(1e6 + 0.0995);
+  ASSERT_EQ(times.size(), 100u);
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i] - 1e6, 0.001 * double(i), 1e-9);
+}
+
+TEST(SimulationErrors, NestedBytesAreNoSavedSimulation) {
+  // Each byte begins a list of one: a parser by recursion would fill the stack.
+  Simulation s(scene_with("{scheme: event-driven}", floating_ball));
+  EXPECT_NE(message_of([&] { s.restore(std::string(3'000'000, '\x81')); }).find("not the bytes of a saved"),
+            std::string::npos);
+}
+
+TEST(SimulationErrors, StatesOfABatchAreLookedAtBeforeOneIsSet) {
+  Batch batch(scene_with("{scheme: event-driven}", floating_ball), 3, 1);
+  std::vector<double> states = batch.states();
+  states[0] = 7;
+  states[2 * 13 + 8] = nan;
+  EXPECT_EQ(message_of([&] { batch.set_states(states); }),
+            "world 2, body 'ball': velocity is nan m/s, must be from -1e+08 to 1e+08 m/s");
+  EXPECT_EQ(batch.world(0).position("ball").x(), 1);
+  states[2 * 13 + 8] = 0;
+  states[13 + 3] = 0;
+  EXPECT_NE(message_of([&] { batch.set_states(states); }).find("must have 1"), std::string::npos);
+  EXPECT_EQ(batch.world(0).position("ball").x(), 1);
 }
 
 TEST(SimulationErrors, DamagedBytesAreRefusedAndChangeNothing) {

@@ -204,12 +204,15 @@ std::vector<std::string> find_mass_defects(const MassProperties& properties, dou
   // The principal moments are positive and meet the triangle inequality: they are sums of mean squares.
   Vec3 moments = principal_axes(I).moments;
   std::sort(moments.data(), moments.data() + 3);
-  const std::string listed = fmt::format("principal moments are {:.6g}, {:.6g} and {:.6g} kg m²", moments[0],
-                                         moments[1], moments[2]);
+  const char* defect = nullptr;
   if (!(moments[0] > 16 * kUnitRoundoff * moments[2])) {
-    defects.push_back(listed + ", each must be > 0");
+    defect = ", each must be > 0";
   } else if (moments[2] - moments[1] > moments[0] + allowed) {
-    defects.push_back(listed + ": the largest must not exceed the sum of the other two");
+    defect = ": the largest must not exceed the sum of the other two";
+  }
+  if (defect) {
+    defects.push_back(fmt::format("principal moments are {:.6g}, {:.6g} and {:.6g} kg m²{}", moments[0],
+                                  moments[1], moments[2], defect));
   }
   return defects;
 }

@@ -94,6 +94,7 @@ std::optional<ClearPoint> roomiest(const Shape& shape, const Aabb& box) {
 
 std::vector<InnerPoint> inner_points(const Shape& shape) {
   if (is_unbounded(shape)) return {};
+  if (const Sphere* const ball = std::get_if<Sphere>(&shape)) return {{Vec3::Zero(), ball->radius}};
   const Aabb box = axis_aligned_box(shape, in_place);
   std::optional<ClearPoint> middle = seen_from(shape, 0.5 * (box.lower + box.upper));
   if (!middle || std::holds_alternative<Mesh>(shape)) {

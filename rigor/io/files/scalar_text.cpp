@@ -49,19 +49,22 @@ std::string number_hint(std::string_view text) {
 }  // namespace
 
 NumberText parse_number(std::string_view text) {
-  if (const std::optional<double> special = special_number(text)) return {special, ""};
-  NumberText none{std::nullopt, number_hint(text)};
+  const auto none = [&text] { return NumberText{std::nullopt, number_hint(text)}; };
+  // A sign, then a digit or a point: from_chars alone would accept words such as "inf" and the text "-+1".
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
-  // from_chars alone would accept words such as "inf" and the text "-+1".
-  if (digits.empty() || !has_only(digits, "+-.0123456789eE") || digits[0] == '+') return none;
-  if (text.starts_with('+') && digits[0] == '-') return none;
+  const std::size_t first = digits.starts_with('-') && !text.starts_with('+') ? 1 : 0;
+  const std::size_t digit = first < digits.size() && digits[first] == '.' ? first + 1 : first;
+  if (digit >= digits.size() || digits[digit] < '0' || digits[digit] > '9') {
+    const std::optional<double> special = special_number(text);
+    return special ? NumberText{special, ""} : none();
+  }
 
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end != digits.data() + digits.size()) return none;
+  if (end != digits.data() + digits.size()) return none();
   if (error == std::errc::result_out_of_range) return {std::nullopt, "; it is out of the range of a double"};
-  if (error != std::errc()) return none;
+  if (error != std::errc()) return none();
   return {value, ""};
 }
 

@@ -194,15 +194,18 @@ ObjectReader::ObjectReader(const YamlNode& node, const KeyTable& table, std::str
 }
 
 void ObjectReader::check_keys() const {
-  std::map<std::string_view, const YamlNode::Entry*> seen;
+  // The first entry of each key of the table, and of those that it does not have.
+  std::vector<const YamlNode::Entry*> seen(table_.keys.size(), nullptr);
+  std::map<std::string_view, const YamlNode::Entry*> unknown;
   for (const YamlNode::Entry& entry : node_.entries) {
     if (errors_.is_full()) return;
-    const auto [first, is_new] = seen.emplace(entry.key, &entry);
     const Key* const key = table_.find(entry.key);
-    if (!is_new) {
+    const YamlNode::Entry*& first =
+        key ? seen[static_cast<std::size_t>(key - table_.keys.data())] : unknown[entry.key];
+    if (first) {
       errors_.add_at_key(node_, entry,
                          "key " + quoted_text(entry.key) + " is given twice in " + whose_ +
-                             " (first in line " + std::to_string(first->second->line) + ")");
+                             " (first in line " + std::to_string(first->line) + ")");
     } else if (!key) {
       errors_.add_at_key(
           node_, entry,
@@ -217,9 +220,11 @@ void ObjectReader::check_keys() const {
           node_, entry,
           whose_ + ": " + entry.key + " must be " + expected_text(*key) + ", found nothing" + hint);
     }
+    if (!first) first = &entry;
   }
-  for (const Key& key : table_.keys) {
-    if (key.is_required() && !seen.count(key.name)) {
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const Key& key = table_.keys[k];
+    if (!seen[k] && key.is_required()) {
       errors_.add(node_, whose_ + ": the key '" + key.name + "' is missing: " + expected_text(key));
     }
   }
@@ -232,7 +237,7 @@ const Key& ObjectReader::key_of(std::string_view name) const {
 }
 
 const YamlNode* ObjectReader::find(std::string_view key) const {
-  key_of(key);
+  RIGOR_SLOW_ASSERT(table_.find(key));
   const YamlNode::Entry* const entry = node_.find(key);
   return entry && entry->value->kind != YamlNode::Kind::null ? entry->value.get() : nullptr;
 }

@@ -47,7 +47,7 @@ struct Key {
   bool is_available = true;  ///< In this version; otherwise only an empty value is allowed.
   std::string instead;       ///< For unavailable keys: the alternative.
 
-  bool is_required() const { return fallback == "required"; }
+  bool is_required() const { return std::string_view(fallback) == "required"; }
 };
 
 /// The keys of one kind of object.

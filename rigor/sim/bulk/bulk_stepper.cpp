@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace rigor {
 
@@ -28,26 +29,45 @@ BulkStepper::BulkStepper(std::shared_ptr<const Model> model, const Method& metho
                          int threads)
     : FixedStepStepper(std::move(model), target_step),
       settings_(settings_of(method, threads)),
-      world_(model_, settings_),
+      world_(std::make_unique<BulkWorld>(model_, settings_)),
       longest_step_(target_step) {
   RIGOR_ASSERT(threads >= 1);
 }
 
+bool BulkStepper::follow(const std::shared_ptr<const Model>& changed) {
+  if (!changed->drives().empty()) return false;
+  last_step_ = 0;
+  if (!own_) {
+    own_ = std::make_shared<Model>(*changed);
+    model_ = own_;
+    world_ = std::make_unique<BulkWorld>(model_, settings_);
+    return true;
+  }
+  // Equal bodies are put into the places of equal ones, so that every shape stays where it is.
+  *own_ = *changed;
+  std::vector<int> same(own_->joints().size());
+  std::iota(same.begin(), same.end(), 0);
+  world_->change_ties(same, {});
+  world_->change_surfaces();
+  world_->change_gravity();
+  return true;
+}
+
 void BulkStepper::begin_span([[maybe_unused]] double first_end, State& state) {
-  world_.read(state);
+  world_->read(state);
 }
 
 double BulkStepper::step_towards(double t_end, double t, State& state) {
   apply_loads();
   last_step_ = t_end - t;
   // Bodies that a blade strikes within the step go ways that its ends do not tell.
-  world_.set_part_observer([&] {
+  world_->set_part_observer([&] {
     if (find_broken_body() >= 0) return;
-    show_step(std::min(world_.time(), t_end), state);
+    show_step(std::min(world_->time(), t_end), state);
     watch_part(state);
   });
-  note(world_.step(last_step_, whole_step()), t, t_end);
-  world_.set_part_observer({});
+  note(world_->step(last_step_, whole_step()), t, t_end);
+  world_->set_part_observer({});
   if (const int broken = find_broken_body(); broken >= 0) {
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(broken).name + "'";
@@ -58,7 +78,7 @@ double BulkStepper::step_towards(double t_end, double t, State& state) {
 
 void BulkStepper::show_step(double t, State& state) {
   if (report_.reason == StopReason::not_finite) return;
-  world_.write_bodies(state);
+  world_->write_bodies(state);
   state.t = t;
 
   // Where paths take kinematic bodies, in double precision.
@@ -73,7 +93,7 @@ void BulkStepper::show_step(double t, State& state) {
 void BulkStepper::end_span(double t, State& state) {
   // After a broken step the State stays as it was at the last output, where everything is finite.
   if (report_.reason == StopReason::not_finite) return;
-  world_.write(state);
+  world_->write(state);
   show_step(t, state);
   state.anchor_here();
 }
@@ -92,7 +112,7 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
     return Vec3(v + w.cross(p_W - state.position(body)));
   };
   // Contacts come in the order of their bodies.
-  for (const BulkContact& contact : world_.contacts()) {
+  for (const BulkContact& contact : world_->contacts()) {
     const double normal = contact.normal_impulse();
     const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
     const double friction =
@@ -119,9 +139,9 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
 
 void BulkStepper::apply_loads() {
   for (const BodyLoad& load : loads_) {
-    const Quat& q_WB = world_.bodies().q[at(load.body)];
+    const Quat& q_WB = world_->bodies().q[at(load.body)];
     const Wrench& own = load.wrench;
-    world_.add_wrench(load.body, load.turns_with_body ? Wrench{q_WB * own.f_W, q_WB * own.tau_W} : own);
+    world_->add_wrench(load.body, load.turns_with_body ? Wrench{q_WB * own.f_W, q_WB * own.tau_W} : own);
   }
 }
 
@@ -148,7 +168,7 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
 
 /// A body whose position or velocity is not finite, or -1.
 int BulkStepper::find_broken_body() const {
-  const BulkBodies& bodies = world_.bodies();
+  const BulkBodies& bodies = world_->bodies();
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t k = at(i);
     const MotionRecord& motion = bodies.motion[k];

@@ -38,6 +38,7 @@ class BulkStepper : public FixedStepStepper {
   void set_loads(std::vector<BodyLoad> loads) { loads_ = std::move(loads); }
   /// The next calls take steps no longer than this [s], in (0, target_step].
   void set_longest_step(double h) { longest_step_ = h; }
+  bool follow(const std::shared_ptr<const Model>& changed) override;
   /// The contacts of the last step, their impulses over its length; none before the first one.
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
 
@@ -52,7 +53,8 @@ class BulkStepper : public FixedStepStepper {
   int find_broken_body() const;
 
   BulkSettings settings_;
-  BulkWorld world_;
+  std::shared_ptr<Model> own_;  ///< Of a stepper that has followed: changed in place, for its world alone.
+  std::unique_ptr<BulkWorld> world_;
   std::vector<BodyLoad> loads_;
   double longest_step_;
   double last_step_ = 0;

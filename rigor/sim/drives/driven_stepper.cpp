@@ -35,10 +35,16 @@ DrivenStepper::DrivenStepper(std::shared_ptr<const Model> model, double target_s
       environment_(*model_),
       target_step_(target_step),
       make_(std::move(make)),
-      driven_bodies_(bodies_of_drives(*model_)),
-      driven_(model_),
-      driven_environment_(std::make_unique<Environment>(*driven_)),
-      inner_(make_(driven_)) {}
+      driven_bodies_(bodies_of_drives(*model_)) {}
+
+bool DrivenStepper::follow(const std::shared_ptr<const Model>& changed) {
+  if (changed->drives().empty()) return false;
+  model_ = changed;
+  environment_ = Environment(*model_);
+  driven_bodies_ = bodies_of_drives(*model_);
+  laws_.reset();
+  return true;
+}
 
 double DrivenStepper::time_rounding() const {
   return FixedSteps::rounding * target_step_;
@@ -67,7 +73,7 @@ double DrivenStepper::work_of_efforts(const std::vector<double>& before, const S
 
 /// Goes on under the laws of the step that ends then. Bodies are anchored in every step, whether the laws
 /// have changed or not, so that a run that is resumed has the same bits.
-void DrivenStepper::follow(State& state, double t_end) {
+void DrivenStepper::follow_laws(State& state, double t_end) {
   DrivenLaws laws = driven_laws(*model_, state, t_end);
   state.anchor_here();
   if (!state.quiet_time.empty()) {
@@ -77,6 +83,7 @@ void DrivenStepper::follow(State& state, double t_end) {
   driven_ = driven_model(*model_, laws);
   laws_ = std::move(laws);
   driven_environment_ = std::make_unique<Environment>(*driven_);
+  if (inner_ && inner_->follow(driven_)) return;
   inner_ = make_(driven_);
   inner_->set_interrupt([this] { return is_interrupted(); });
 }
@@ -111,7 +118,7 @@ AdvanceReport DrivenStepper::pass(State& state, double t_end, double t_look) {
        ++k) {
     const double end = steps.end(k);
     try {
-      follow(state, end);
+      follow_laws(state, end);
     } catch (const InputError& error) {
       sum.reason = StopReason::not_finite;
       sum.detail = error.what();

@@ -23,9 +23,10 @@ class DrivenStepper : public Stepper {
   /// target_step H > 0 [s].
   DrivenStepper(std::shared_ptr<const Model> model, double target_step, Maker make);
 
+  bool follow(const std::shared_ptr<const Model>& changed) override;
   double time_rounding() const override;
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
-    return inner_->contacts_of(state);
+    return laws_ ? inner_->contacts_of(state) : std::nullopt;
   }
 
  protected:
@@ -35,7 +36,7 @@ class DrivenStepper : public Stepper {
 
  private:
   AdvanceReport pass(State& state, double t_end, double t_look);
-  void follow(State& state, double t_end);
+  void follow_laws(State& state, double t_end);
   AdvanceReport booked_step(State& state, double t_end, double t);
   Energy driven_energy(const State& state) const;
   double work_of_efforts(const std::vector<double>& before, const State& after) const;
@@ -46,7 +47,8 @@ class DrivenStepper : public Stepper {
   Maker make_;
   std::vector<int> driven_bodies_;
   std::optional<DrivenLaws> laws_;
-  std::shared_ptr<const Model> driven_;  ///< Under the laws.
+  // Under the laws; from the first step on.
+  std::shared_ptr<const Model> driven_;
   std::unique_ptr<Environment> driven_environment_;
   std::unique_ptr<Stepper> inner_;
   double t_ = 0;

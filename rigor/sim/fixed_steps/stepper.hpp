@@ -4,6 +4,7 @@
 #include "rigor/sim/report/advance_report.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ class Stepper {
   AdvanceReport look(State& state, double t_end, double t);
   /// Shorter spans are roundings of times that are to be the same [s]; 0: there are no fixed steps.
   virtual double time_rounding() const { return 0; }
+  /// Goes on with a model of the same bodies and joints, whose laws, surfaces, forces and gravity may be
+  /// others, as a fresh stepper of it would. Whether it can; if not, nothing has changed.
+  virtual bool follow([[maybe_unused]] const std::shared_ptr<const Model>& changed) { return false; }
   /// The contacts of the State that the last call left, with the forces that the scheme found last; nothing
   /// where it keeps none.
   virtual std::optional<std::vector<TouchingPoint>> contacts_of([[maybe_unused]] const State& state) const {

@@ -221,9 +221,13 @@ std::span<const SchemeRule> scheme_rules() {
   return rules;
 }
 
-std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method) {
+namespace {
+
+/// Which of these schemes refuse the scene, with their first reasons.
+std::vector<SchemeRefusal> refusals_among(const std::vector<Scheme>& schemes, const Model& model,
+                                          const Method& method) {
   std::vector<SchemeRefusal> refusals;
-  for (const Scheme scheme : all_schemes()) {
+  for (const Scheme scheme : schemes) {
     Method candidate = method;
     candidate.scheme = scheme;
     std::vector<std::string> reasons = check_scheme(model, candidate);
@@ -233,10 +237,21 @@ std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& met
   return refusals;
 }
 
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefusal> refusals) {
+/// The first rule that applies; one does.
+const SchemeRule& rule_of(const SchemeFacts& facts) {
   const std::span<const SchemeRule> rules = scheme_rules();
-  const SchemeRule& rule =
-      *std::find_if(rules.begin(), rules.end(), [&](const SchemeRule& each) { return each.applies(facts); });
+  return *std::find_if(rules.begin(), rules.end(),
+                       [&](const SchemeRule& each) { return each.applies(facts); });
+}
+
+}  // namespace
+
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method) {
+  return refusals_among(all_schemes(), model, method);
+}
+
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefusal> refusals) {
+  const SchemeRule& rule = rule_of(facts);
   std::vector<Scheme> candidates = rule.schemes;
   const std::vector<Scheme> others = all_schemes();
   candidates.insert(candidates.end(), others.begin(), others.end());
@@ -268,8 +283,15 @@ std::vector<Scheme> all_schemes() {
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
   if (method.scheme != Scheme::automatic) return {method, {}};
-  const std::vector<SchemeRefusal> refusals = scheme_refusals(model, method);
-  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), refusals);
+  // The schemes that a rule prefers are asked, and the others only if all of these refuse.
+  const SchemeFacts facts = scheme_facts(model, method.contact_tolerance);
+  const std::vector<Scheme>& preferred = rule_of(facts).schemes;
+  std::vector<Scheme> asked = preferred;
+  asked.push_back(Scheme::time_stepping);
+  std::vector<SchemeRefusal> refusals = refusals_among(asked, model, method);
+  const auto is_refused = [&](Scheme scheme) { return refusal_of(scheme, refusals) != nullptr; };
+  if (std::ranges::all_of(preferred, is_refused)) refusals = scheme_refusals(model, method);
+  SchemeChoice choice = choose_scheme(facts, refusals);
   ResolvedMethod resolved{method, std::move(choice.reason)};
   resolved.method.scheme = choice.scheme;
 
