@@ -14,7 +14,8 @@ export interface Extent {
 
 /**
  * Where the moving bodies go in all frames, each with its size; but no larger than 60 times the middle body's radius or three
- * times where they begin, so that bodies stay large enough to be seen.
+ * times where they begin, so that bodies stay large enough to be seen. What stands still and is not much larger belongs to it: a bowl, a
+ * frame, a table.
  */
 export function extentOf(header: Header, frames: Frames, meshes: Mesh[]): Extent {
   const n = frames.moving.length;
@@ -29,8 +30,23 @@ export function extentOf(header: Header, frames: Frames, meshes: Mesh[]): Extent
   const stride = Math.max(1, Math.floor(frames.count / 400));
   const all = boxOf(frames, halves, 0, frames.count, stride);
   const most = Math.max(60 * middle, 3 * start.radius);
-  if (n > 0 && all.radius > 0) return all.radius <= most ? all : { center: start.center, half: [most / 2, most / 2, most / 2], radius: most };
+  if (n > 0 && all.radius > 0) return all.radius <= most ? withStanding(all, header, meshes) : { center: start.center, half: [most / 2, most / 2, most / 2], radius: most };
   return standing(header);
+}
+
+/** Adds the bodies that stand still, as long as the box stays within so many times its radius. */
+function withStanding(moving: Extent, header: Header, meshes: Mesh[]): Extent {
+  const most = 2.5 * moving.radius;
+  let lower = moving.center.map((x, c) => x - moving.half[c]), upper = moving.center.map((x, c) => x + moving.half[c]);
+  header.bodies.forEach(({ motion, start }, body) => {
+    if (motion !== "static") return;
+    const half = halfExtents(header, meshes, body, start.q);
+    if (Math.hypot(...half) === 0) return;
+    const at = start.p.map((x, c) => x - header.origin[c]);
+    const low = lower.map((x, c) => Math.min(x, at[c] - half[c])), high = upper.map((x, c) => Math.max(x, at[c] + half[c]));
+    if (Math.hypot(...high.map((x, c) => x - low[c])) / 2 <= most) [lower, upper] = [low, high];
+  });
+  return boxBetween(lower, upper);
 }
 
 /** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end, and to its joints. */
@@ -72,9 +88,13 @@ function boxOf(frames: Frames, halves: Vec[], from: number, to: number, stride =
       }
     }
   }
+  return boxBetween(lower, upper);
+}
+
+function boxBetween(lower: number[], upper: number[]): Extent {
   return {
-    center: [0, 1, 2].map((c) => (lower[c] + upper[c]) / 2) as Vec,
-    half: [0, 1, 2].map((c) => (upper[c] - lower[c]) / 2) as Vec,
+    center: lower.map((x, c) => (x + upper[c]) / 2) as Vec,
+    half: lower.map((x, c) => (upper[c] - x) / 2) as Vec,
     radius: Math.hypot(...upper.map((x, c) => x - lower[c])) / 2,
   };
 }
