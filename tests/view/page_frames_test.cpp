@@ -185,8 +185,8 @@ bodies:
 
 /// The worst second of it, in which all are struck all the time; with the rest that follows it is less than
 /// half.
-TEST(PageFrames, ACrowdThatFallsIntoAPenTakesLessThanTwentyFiveBytesABodyAFrame) {
-  EXPECT_LT(bytes_per_body_frame(pen_of_balls()), 25);
+TEST(PageFrames, ACrowdThatFallsIntoAPenTakesLessThanFifteenBytesABodyAFrame) {
+  EXPECT_LT(bytes_per_body_frame(pen_of_balls()), 15);
 }
 
 TEST(PageFrames, ACrowdIsReadBackToTheErrorsThatItsScaleStates) {
