@@ -67,6 +67,9 @@ void add_run(CLI::App& app, RunOptions& run) {
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
       ->check(number_in(time_span, "s"));
+  add_value(app, "--cpu-limit", run.cpu_limit,
+            "processor time after which the run is ended, with what there is by then [s]", "S")
+      ->check(number_in(time_span, "s"));
   add_value(app, "--threads", run.threads,
             "threads on which steps are computed (time-stepping, also under auto); the answer does not "
             "depend on it",

@@ -158,7 +158,11 @@ std::string fish_option(const OptionPage& option, const std::string& where, cons
   std::string text = "complete -c rigor" + where;
   for (const std::string& name : option.names)
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  if (!option.placeholder.empty()) text += " -r" + fish_value(candidates_of(option, pages));
+  // What takes no file (-x) is offered none.
+  if (!option.placeholder.empty()) {
+    const Candidates candidates = candidates_of(option, pages);
+    text += (candidates.is_file ? " -r" : " -x") + fish_value(candidates);
+  }
   return text + " -d " + in_quotes(option.what, true) + "\n";
 }
 

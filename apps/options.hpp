@@ -15,6 +15,7 @@ struct RunOptions {
   std::vector<std::string> outputs;
   std::vector<std::string> overrides;  ///< "key=value".
   std::optional<double> duration;      ///< [s].
+  std::optional<double> cpu_limit;     ///< Processor time after which the run ends [s].
   int threads = 1;
   std::string json;
   bool is_quiet = false;

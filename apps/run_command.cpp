@@ -12,7 +12,11 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -55,8 +59,36 @@ void print_sparkline(const RunOptions& options, const RunSparkline& course) {
   fmt::print(stderr, "{}", course.text(terminal_width(stderr), !speaks_utf8()));
 }
 
-/// Reports why a run failed, and returns the exit code.
-ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const Audit& audit) {
+/// Ends a run that takes more processor time, of all its threads, than it may. Steps are often shorter than
+/// the system takes to tell the time, so it is asked seldom.
+class CpuLimit {
+ public:
+  explicit CpuLimit(std::optional<double> limit) : limit_(limit) {}
+
+  bool ends_run() {
+    is_over_ = is_over_ || (limit_ && ++calls_ % 16 == 0 && time() > *limit_);
+    return is_over_;
+  }
+  /// How the run ended.
+  std::string text(double t) const {
+    return fmt::format(
+        "out of time: --cpu-limit {:g} ended the run after {:.3g} s of processor time at t = {:.9g} s; the "
+        "files are closed",
+        *limit_, time(), t);
+  }
+
+ private:
+  double time() const { return static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC; }
+
+  std::optional<double> limit_;
+  std::clock_t begin_ = std::clock();
+  long calls_ = 0;
+  bool is_over_ = false;
+};
+
+/// Reports why a run failed, and returns the exit code. out_of_time: empty, or how its limit ended it.
+ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const Audit& audit,
+                    const std::string& out_of_time) {
   for (const std::string& name : recorder.given_up())
     print_error(fmt::format("interrupted: {} was not written", quoted_text(name)));
   if (!recorder.file_error().empty()) {
@@ -65,6 +97,10 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
   }
   if (result.audit.report.reason != StopReason::reached_end) {
     print_error(stop_text(result.audit, result.state.t));
+    return exit_stopped;
+  }
+  if (!out_of_time.empty()) {
+    print_error(out_of_time);
     return exit_stopped;
   }
   if (recorder.was_interrupted() && (result.was_stopped || !recorder.given_up().empty())) {
@@ -90,13 +126,18 @@ ExitCode execute(const RunOptions& options) {
                                         const Auditor& auditor) {
     return recorder.observe(state, since, auditor);
   };
+  CpuLimit limit(options.cpu_limit);
   const RunResult result = run_simulation(
       scene.model, scene.method, scene.run, start.state, observer,
-      [&recorder] { return recorder.was_interrupted(); }, start.earlier);
-  const Audit audit = recorder.finish(result, start.warnings);
+      [&] { return recorder.was_interrupted() || limit.ends_run(); }, start.earlier);
+  std::vector<std::string> warnings = start.warnings;
+  const bool is_out_of_time = result.was_stopped && limit.ends_run() && !recorder.was_interrupted();
+  const std::string out_of_time = is_out_of_time ? limit.text(result.state.t) : "";
+  if (is_out_of_time) warnings.push_back(out_of_time);
+  const Audit audit = recorder.finish(result, warnings);
   print_audit(options, audit);
   print_sparkline(options, recorder.course());
-  return report_end(result, recorder, audit);
+  return report_end(result, recorder, audit, out_of_time);
 }
 
 }  // namespace rigor

@@ -153,6 +153,8 @@ TEST(CommandHelp, ZshAndFishReadTheirScripts) {
             "--separate\tpush apart bodies that overlap at t = 0\n");
   expect_contains(output_of(folder, "fish", "source rigor.fish\ncomplete -C 'rigor run b'\n"), "ball.yaml");
   expect_contains(output_of(folder, "fish", "source rigor.fish\ncomplete -C 'rigor ren'\n"), "render");
+  // A number is no file.
+  EXPECT_EQ(output_of(folder, "fish", "source rigor.fish\ncomplete -C 'rigor run --threads '\n"), "");
 }
 
 TEST(CommandHelp, ManPagesHaveEveryOptionAndAreProperRoff) {

@@ -118,6 +118,24 @@ TEST(RunCommand, ASimulationThatCannotGoOnIsFourAndKeepsWhatItHas) {
   EXPECT_EQ(line_count(folder.read("a.csv")), read_hdf5_trajectory(folder / "a.h5").time.size() + 1);
 }
 
+TEST(RunCommand, ALimitOfProcessorTimeEndsTheRunWithWhatThereIs) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball_scene);
+  // The whole run would take half a minute.
+  const ProgramResult result = folder.run(
+      {"run", "ball.yaml", "--duration", "100000", "--cpu-limit", "0.05", "-o", "a.csv", "--json", "a.json"});
+  EXPECT_EQ(result.code, 4) << result.out << result.error;
+  expect_contains(result.error, "out of time: --cpu-limit 0.05 ended the run after ");
+  expect_contains(result.error, "the files are closed");
+  expect_contains(result.out, "audit passed until t = ");
+  const Json audit = Json::parse(folder.read("a.json"));
+  EXPECT_EQ(audit["complete"], false);
+  EXPECT_GT(line_count(folder.read("a.csv")), 1u);
+  expect_contains(audit["warnings"].dump(), "out of time");
+  // A limit that is not reached changes nothing.
+  EXPECT_EQ(folder.run({"run", "ball.yaml", "--duration", "0.1", "--cpu-limit", "100", "--quiet"}).code, 0);
+}
+
 // Files
 
 TEST(RunCommand, OutputsThatCannotBeWrittenAreFiveBeforeTheRun) {

@@ -1,8 +1,10 @@
 #include "rigor/view/live/live_replay.hpp"
 
 #include "rigor/io/trajectory/trajectory_writer.hpp"
+#include "rigor/math/rotation.hpp"
 #include "rigor/sim/simulation.hpp"
 #include "rigor/view/page/page_run.hpp"
+#include "view/frame_reading.hpp"
 #include "view/page_reading.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
 namespace rigor::live_replay_test {
 namespace {
@@ -31,21 +34,11 @@ bodies:
     inertia: {mass: 2, center: [0.1, 0.2, 0], moments: [1, 1.5, 2], products: [0.1, 0, 0.2]}
 )";
 
-/// All columns of all chunks of frames, of the bodies that move.
-std::vector<std::int64_t> columns_of(const std::vector<PageBlock>& blocks) {
-  std::vector<std::int64_t> values;
-  for (const PageBlock& block : blocks) {
-    if (block.kind != "frames") continue;
-    test::BytesReader reader(test::inflated(block));
-    reader.take<double>();
-    reader.take<double>();
-    const std::uint32_t frames = reader.take<std::uint32_t>(), bodies = reader.take<std::uint32_t>();
-    for (std::uint32_t i = 0; i < 13 * bodies; ++i) {
-      const std::vector<std::int64_t> column = reader.column(frames);
-      values.insert(values.end(), column.begin(), column.end());
-    }
-  }
-  return values;
+std::vector<PageBlock> frames_of(const std::vector<PageBlock>& blocks) {
+  std::vector<PageBlock> frames;
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(frames),
+               [](const PageBlock& block) { return block.kind == "frames"; });
+  return frames;
 }
 
 TEST(LiveReplay, HoldsTheMotionAndTheEventsOfTheRunThatWasStored) {
@@ -76,13 +69,22 @@ TEST(LiveReplay, HoldsTheMotionAndTheEventsOfTheRunThatWasStored) {
   const LiveReplay replay = read_live_replay(folder / "run.h5");
   std::filesystem::remove_all(folder);
   EXPECT_EQ(replay.title, "replay");
-  const std::vector<std::int64_t> a = columns_of(expected), b = columns_of(replay.blocks);
-  ASSERT_EQ(a.size(), b.size());
-  ASSERT_EQ(a.size(), std::size_t{2 * 13 * 21});
+  const PageScale scale = page_scale(*scene.model, make_initial_state(*scene.model));
+  const test::ReadFrames a = test::read_frames(frames_of(expected), scale),
+                         b = test::read_frames(frames_of(replay.blocks), scale);
+  ASSERT_EQ(a.x.size(), 21u);
+  ASSERT_EQ(b.x.size(), 21u);
   // The way from body frames to user frames and back rounds: at most one step of what is quantised.
-  std::int64_t farthest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) farthest = std::max(farthest, std::abs(a[i] - b[i]));
-  EXPECT_LE(farthest, 1);
+  const auto largest = [](const Vec3& v) { return v.cwiseAbs().maxCoeff(); };
+  for (std::size_t k = 0; k < a.x.size(); ++k) {
+    ASSERT_EQ(b.x[k].size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_LE(largest(a.x[k][i] - b.x[k][i]), 1.001 * scale.position_step);
+      EXPECT_LE(largest(a.v[k][i] - b.v[k][i]), 1.001 * a.speed_step);
+      EXPECT_LE(largest(a.w[k][i] - b.w[k][i]), 1.001 * a.spin_step);
+      EXPECT_LE(rotation_angle_between(a.q[k][i], b.q[k][i]), 2 * packing_error);
+    }
+  }
   const auto block = [](const std::vector<PageBlock>& blocks, const std::string& kind) {
     return test::inflated(*std::find_if(blocks.begin(), blocks.end(), [&kind](const PageBlock& candidate) {
       return candidate.kind == kind;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
+#include <string>
 #include <vector>
 
 namespace rigor::page_block_test {
@@ -36,6 +38,35 @@ TEST(PageBlock, ABlockInflatesToItsBytesAndTellsSizeAndChecksum) {
     EXPECT_EQ(read[0].bytes, bytes);
     EXPECT_TRUE(read[0].is_sound);
   }
+}
+
+TEST(PageBlock, SevenBitTextHoldsEveryByteAnEighthLongerAndNothingThatHtmlChanges) {
+  std::mt19937 random(1);
+  for (const std::size_t size : {0u, 1u, 2u, 6u, 7u, 8u, 13u, 100u, 10000u}) {
+    for (const unsigned mask : {255u, 0u, 61u}) {
+      std::string bytes;
+      for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(random() & mask);
+      const std::string text = seven_bit_text(bytes);
+      EXPECT_EQ(text.find_first_of(std::string({'\0', '\r', '<'})), std::string::npos);
+      EXPECT_EQ(test::decoded_seven_bit_text(text, size), bytes);
+      EXPECT_LE(text.size(), size * 8 / 7 + 4);
+    }
+  }
+  // 0000000 0111100 1111111 111 and four bits that fill a group: NUL takes what is after it with itself.
+  EXPECT_EQ(seven_bit_text(std::string({'\x00', '\xf3', '\xff'})), "\xc2\xbc\x7fp");
+}
+
+TEST(PageBlock, AColumnOfAnyOrderComesBack) {
+  const std::vector<std::int64_t> values = {5, -3, 100, 7, 7, 8, 1000000, 0, 1, 4, 9, 16};
+  for (const ColumnOrder order : {ColumnOrder::constant, ColumnOrder::linear, ColumnOrder::quadratic}) {
+    std::string bytes;
+    append_column(values, bytes, order);
+    EXPECT_EQ(test::BytesReader(bytes).column(values.size(), static_cast<int>(order)), values);
+  }
+  // A parabola is foreseen by a parabola.
+  std::string bytes;
+  append_column(std::vector<std::int64_t>{100, 400, 900, 1600, 2500}, bytes, ColumnOrder::quadratic);
+  EXPECT_EQ(bytes.substr(bytes.size() - 2), std::string(2, '\0'));
 }
 
 TEST(PageBlock, VarintsHoldEveryNumberThatIsStored) {

@@ -4,6 +4,7 @@
 
 #include <regex>
 #include <stdexcept>
+#include <vector>
 
 namespace rigor::test {
 
@@ -21,16 +22,24 @@ std::string inflated(const PageBlock& block) {
   return inflated(block.deflated, block.raw_size);
 }
 
-std::string decoded_base64(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xff);
+std::string decoded_seven_bit_text(const std::string& text, std::size_t size) {
+  // The groups of seven bits.
+  std::vector<unsigned> groups;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned byte = static_cast<unsigned char>(text[i]);
+    if (byte < 128) {
+      groups.push_back(byte);
+      continue;
+    }
+    const unsigned code = (byte & 31) << 6 | (static_cast<unsigned char>(text.at(++i)) & 63u);
+    groups.push_back(std::string({'\0', '\r', '<'}).at(code / 128 - 1) & 127);
+    groups.push_back(code % 128);
+  }
+  // Bit after bit.
+  std::string bytes(size, '\0');
+  for (std::size_t bit = 0; bit < 8 * size; ++bit) {
+    const unsigned value = groups.at(bit / 7) >> (6 - bit % 7) & 1;
+    bytes[bit / 8] = static_cast<char>(static_cast<unsigned char>(bytes[bit / 8]) | value << (7 - bit % 8));
   }
   return bytes;
 }
@@ -46,7 +55,8 @@ std::vector<ReadBlock> blocks_of_page(const std::string& html) {
       std::regex_search(tag, match, std::regex("data-" + name + "=\"([^\"]*)\""));
       return match[1].str();
     };
-    const std::string deflated = decoded_base64(html.substr(text, end - text));
+    const std::string deflated =
+        decoded_seven_bit_text(html.substr(text, end - text), std::stoul(attribute("size")));
     const uLong checksum =
         crc32(0, reinterpret_cast<const Bytef*>(deflated.data()), static_cast<uInt>(deflated.size()));
     blocks.push_back({std::stoi(attribute("run")), attribute("kind"),

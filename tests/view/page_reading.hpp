@@ -2,6 +2,7 @@
 
 #include "rigor/view/page/page_block.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -13,7 +14,7 @@ namespace rigor::test {
 std::string inflated(const std::string& deflated, std::size_t raw_size);
 std::string inflated(const PageBlock& block);
 
-std::string decoded_base64(const std::string& text);
+std::string decoded_seven_bit_text(const std::string& text, std::size_t size);
 
 /// Numbers one after the other.
 class BytesReader {
@@ -35,11 +36,17 @@ class BytesReader {
     }
     return static_cast<std::int64_t>(folded >> 1) ^ -static_cast<std::int64_t>(folded & 1);
   }
-  std::vector<std::int64_t> column(std::size_t count) {
+  std::vector<std::int64_t> column(std::size_t count, int order = 2) {
     std::vector<std::int64_t> values;
     for (std::size_t k = 0; k < count; ++k) {
-      const std::int64_t straight = k == 0 ? 0 : k == 1 ? values[0] : 2 * values[k - 1] - values[k - 2];
-      values.push_back(varint() + straight);
+      // Of x_{k-1}, x_{k-2}, x_{k-3}: 1; 2, -1; 3, -3, 1.
+      const int known = std::min(order, static_cast<int>(k));
+      std::int64_t expected = 0, weight = known;
+      for (int i = 1; i <= known; ++i) {
+        expected += weight * values[k - static_cast<std::size_t>(i)];
+        weight = -weight * (known - i) / (i + 1);
+      }
+      values.push_back(varint() + expected);
     }
     return values;
   }

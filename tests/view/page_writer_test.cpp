@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -89,7 +91,7 @@ TEST(PageWriter, APageHoldsTheViewerAndSoundBlocksOfTheRun) {
       std::string::npos);
   for (const test::ReadBlock& block : page.blocks) EXPECT_TRUE(block.is_sound) << block.kind;
   const Json header = page.header();
-  EXPECT_EQ(header["format"], 1);
+  EXPECT_EQ(header["format"], 2);
   EXPECT_EQ(header["scene"], "cradle");
   EXPECT_EQ(header["frames"], page.states.size());
   EXPECT_EQ(header["bodies"].size(), 5u);
@@ -171,46 +173,81 @@ TEST(PageWriter, EventsKeepTimesPlacesAndImpulses) {
   EXPECT_TRUE(reader.is_at_end());
 }
 
-/// A chunk of contacts: bodies and eleven whole numbers of each contact of each frame.
+/// A stored contact: its bodies and eleven whole numbers, and the same one of the frame before.
 struct StoredContact {
-  int body_A, body_B, which;
-  std::array<std::int64_t, 11> numbers;
+  int body_A, body_B;
+  int from = -1;
+  std::array<std::int64_t, 11> numbers{};
 };
 using StoredFrame = std::vector<StoredContact>;
-const StoredContact* find_contact(const StoredFrame& frame, const StoredContact& wanted) {
-  for (const StoredContact& contact : frame) {
-    if (contact.body_A == wanted.body_A && contact.body_B == wanted.body_B && contact.which == wanted.which)
-      return &contact;
+
+/// Which contacts of a frame of `count` stay.
+std::vector<int> read_kept(test::BytesReader& reader, int count) {
+  std::vector<int> kept;
+  bool stays = true;
+  for (int i = 0; i < count; stays = !stays) {
+    for (int end = i + static_cast<int>(reader.varint()); i < end; ++i)
+      if (stays) kept.push_back(i);
   }
-  return nullptr;
+  return kept;
 }
-std::vector<StoredFrame> read_contacts(test::BytesReader& reader, std::size_t frame_count) {
-  std::vector<StoredFrame> frames(frame_count);
-  std::vector<StoredContact*> all;
-  for (StoredFrame& frame : frames) {
-    frame.resize(static_cast<std::size_t>(reader.varint()));
-    for (StoredContact& contact : frame) all.push_back(&contact);
+
+std::vector<StoredFrame> read_contacts(test::BytesReader& reader, std::size_t frame_count, bool is_smooth) {
+  std::vector<StoredFrame> added(frame_count), frames(frame_count);
+  for (StoredFrame& frame : added) frame.resize(static_cast<std::size_t>(reader.varint()));
+  std::vector<std::vector<int>> kept;
+  for (const StoredFrame& frame : added) {
+    const std::size_t last = kept.empty() ? 0 : kept.back().size() + added[kept.size() - 1].size();
+    kept.push_back(read_kept(reader, static_cast<int>(last)));
+    (void)frame;
   }
-  for (StoredContact* const contact : all) contact->body_A = static_cast<int>(reader.varint());
-  for (StoredContact* const contact : all) contact->body_B = static_cast<int>(reader.varint());
-  for (std::size_t k = 0; k < 11; ++k) {
-    for (StoredContact* const contact : all) contact->numbers[k] = reader.varint();
+  for (StoredFrame& frame : added) {
+    int body = 0;
+    for (StoredContact& contact : frame) contact.body_A = body += static_cast<int>(reader.varint());
   }
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    int last_A = 0, last_B = -1, which = 0;
+  for (StoredFrame& frame : added)
+    for (StoredContact& contact : frame) contact.body_B = contact.body_A + static_cast<int>(reader.varint());
+  // A frame has what stays and what is new, in the order of bodies.
+  for (std::size_t f = 0; f < frame_count; ++f) {
+    for (const int from : kept[f]) {
+      const StoredContact& earlier = frames[f - 1][static_cast<std::size_t>(from)];
+      frames[f].push_back({earlier.body_A, earlier.body_B, from});
+    }
+    frames[f].insert(frames[f].end(), added[f].begin(), added[f].end());
+    std::stable_sort(frames[f].begin(), frames[f].end(), [](const StoredContact& a, const StoredContact& b) {
+      return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
+    });
+  }
+  for (std::size_t k = 0; k < 11; ++k)
+    for (StoredFrame& frame : frames)
+      for (StoredContact& contact : frame) contact.numbers[k] = reader.varint();
+  for (std::size_t f = 1; f < frame_count; ++f) {
     for (StoredContact& contact : frames[f]) {
-      contact.body_A += last_A, contact.body_B += contact.body_A;
-      contact.which = which = contact.body_A == last_A && contact.body_B == last_B ? which + 1 : 0;
-      last_A = contact.body_A, last_B = contact.body_B;
-      const StoredContact* const newer = f > 0 ? find_contact(frames[f - 1], contact) : nullptr;
-      const StoredContact* const older = f > 1 ? find_contact(frames[f - 2], contact) : nullptr;
-      for (std::size_t k = 0; newer && k < 11; ++k) {
-        contact.numbers[k] += newer->numbers[k];
-        if (older && k >= 2 && k < 8) contact.numbers[k] += newer->numbers[k] - older->numbers[k];
+      if (contact.from < 0) continue;
+      const StoredContact& newer = frames[f - 1][static_cast<std::size_t>(contact.from)];
+      for (std::size_t k = 0; k < 11; ++k) {
+        contact.numbers[k] += newer.numbers[k];
+        if (is_smooth && newer.from >= 0 && k >= 2 && k < 8)
+          contact.numbers[k] +=
+              newer.numbers[k] - frames[f - 2][static_cast<std::size_t>(newer.from)].numbers[k];
       }
     }
   }
   return frames;
+}
+
+/// Middle of the centres of mass of a contact's bodies that are not fixed, in steps of places.
+double stored_middle(const Scene& scene, const State& state, const StoredContact& contact, const Json& header,
+                     double place_step, int c) {
+  double sum = 0;
+  int count = 0;
+  for (const int body : {contact.body_A, contact.body_B}) {
+    if (scene.model->body(body).motion == MotionType::fixed) continue;
+    const double step = header["position_step"], origin = header["origin"][static_cast<std::size_t>(c)];
+    sum += static_cast<double>(std::llround((state.position(body)[c] - origin) / step)) * step / place_step;
+    ++count;
+  }
+  return count == 0 ? 0 : std::floor(sum / count + 0.5);
 }
 
 TEST(PageWriter, TheContactsOfEveryFrameAreThoseThatTheRunKnows) {
@@ -224,8 +261,9 @@ TEST(PageWriter, TheContactsOfEveryFrameAreThoseThatTheRunKnows) {
   EXPECT_EQ(gap_step, scene.method.contact_tolerance / 16);
   EXPECT_EQ(normal_step, 1.0 / 1024);
   EXPECT_LE(place_step, 8e-5 * header["extent"].get<double>());
+  const bool is_smooth = reader.take<std::uint32_t>() == 2;
   ASSERT_EQ(reader.take<std::uint32_t>(), page.states.size());
-  const std::vector<StoredFrame> frames = read_contacts(reader, page.states.size());
+  const std::vector<StoredFrame> frames = read_contacts(reader, page.states.size(), is_smooth);
   EXPECT_TRUE(reader.is_at_end());
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const StoredFrame& stored = frames[f];
@@ -240,7 +278,8 @@ TEST(PageWriter, TheContactsOfEveryFrameAreThoseThatTheRunKnows) {
       for (int c = 0; c < 3; ++c) {
         const std::size_t place = static_cast<std::size_t>(c);
         const double origin = header["origin"][place];
-        EXPECT_NEAR(number(2 + place) * place_step + origin, points[i].p_W[c], 0.51 * place_step);
+        const double middle = stored_middle(scene, page.states[f], stored[i], header, place_step, c);
+        EXPECT_NEAR((middle + number(2 + place)) * place_step + origin, points[i].p_W[c], 0.51 * place_step);
         EXPECT_NEAR(number(5 + place) * normal_step, points[i].n_W[c], 0.51 * normal_step);
         EXPECT_NEAR(number(8 + place) * force_step, points[i].force_W[c], 0.51 * force_step);
       }

@@ -3,6 +3,7 @@
 #include "rigor/geometry/mass/mass_properties.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
+#include "rigor/view/3d/bowl.hpp"
 #include "view/view_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -123,6 +124,13 @@ TEST(DrawnScene, EqualShapesShareTheirSurface) {
   ASSERT_EQ(drawn.shapes.size(), 3u);
   EXPECT_EQ(drawn.shapes[0].surface, drawn.shapes[1].surface);
   EXPECT_NE(drawn.shapes[0].surface, drawn.shapes[2].surface);
+}
+
+TEST(DrawnForm, RodsAreThickEnoughToBeSeenAndOtherShapesStay) {
+  const Shape thread = drawn_form(Capsule{1e-9, 0.5}), bar = drawn_form(Cylinder{0.1, 0.5});
+  EXPECT_DOUBLE_EQ(std::get<Capsule>(thread).radius, 0.5 / 150);
+  EXPECT_EQ(std::get<Capsule>(thread).half_length, 0.5);
+  EXPECT_EQ(std::get<Cylinder>(bar).radius, 0.1);
 }
 
 }  // namespace

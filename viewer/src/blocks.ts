@@ -15,7 +15,7 @@ export class DataError extends Error {}
 
 /** The bytes of a block. Throws DataError when it did not arrive whole. */
 export async function readBlock(block: BlockText): Promise<Uint8Array> {
-  const packed = decodeBase64(block);
+  const packed = bytesOfText(block);
   if (packed.length !== block.size) {
     throw new DataError(`the ${block.kind} block is cut: ${packed.length} of ${block.size} bytes are there`);
   }
@@ -41,17 +41,34 @@ export function findBlocks(root: ParentNode): BlockText[] {
   }));
 }
 
-function decodeBase64(block: BlockText): Uint8Array {
-  try {
-    // A cut text may end inside a group of four; whole groups are enough to count the bytes.
-    const text = block.text.trim();
-    const binary = atob(text.slice(0, text.length - (text.length % 4)));
-    const bytes = new Uint8Array(binary.length);
-    for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-    return bytes;
-  } catch {
-    throw new DataError(`the ${block.kind} block is damaged: it holds characters that are not base64`);
+/** ASCII characters that HTML changes and that therefore stand in no block. */
+const leftOut = [0, 13, 60];
+
+/** As seven_bit_text (rigor/view/page/page_block.hpp) writes them. */
+function bytesOfText({ text, size, kind }: BlockText): Uint8Array {
+  const bytes = new Uint8Array(Math.max(0, Math.min(size, (7 * 2 * text.length) >> 3)));
+  let at = 0, bits = 0, count = 0;
+  const take = (group: number) => {
+    bits = ((bits << 7) | group) & 0x7fff;
+    if ((count += 7) < 8) return;
+    count -= 8;
+    // After the last byte come bits that fill a group.
+    if (at < bytes.length) bytes[at++] = bits >> count;
+  };
+  for (let i = 0; i < text.length; ++i) {
+    const code = text.charCodeAt(i);
+    if (code < 128) {
+      take(code);
+    } else if (code < 128 * (1 + leftOut.length)) {
+      // One of those left out, and the group after it.
+      take(leftOut[(code >> 7) - 1]);
+      take(code & 127);
+    } else if (i < text.length - 1) {
+      // A text that was cut may end inside a character.
+      throw new DataError(`the ${kind} block is damaged: it holds characters that are none of its own`);
+    }
   }
+  return bytes.subarray(0, at);
 }
 
 async function inflate(packed: Uint8Array, kind: string): Promise<Uint8Array> {

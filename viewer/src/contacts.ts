@@ -1,3 +1,6 @@
+import { DataError } from "./blocks";
+import type { Frames } from "./frames";
+import type { Header } from "./header";
 import { Reader } from "./reader";
 
 export type ContactMode = "open" | "stick" | "slide" | "unknown";
@@ -25,13 +28,13 @@ export class Contacts {
   /** In one frame. */
   most = 0;
 
+  constructor(private readonly header: Header, private readonly frames: Frames) {}
+
   addChunk(bytes: Uint8Array): void {
-    const reader = new Reader(bytes);
-    for (let k = 0; k < 4; ++k) reader.f64();
-    const frames = reader.u32();
-    for (let k = 0; k < frames; ++k) this.most = Math.max(this.most, reader.varint());
+    const list = new ContactList(new Reader(bytes));
+    for (let k = 0; k < list.frames; ++k) this.most = Math.max(this.most, list.starts[k + 1] - list.starts[k]);
     this.chunks.push({ first: this.count, bytes });
-    this.count += frames;
+    this.count += list.frames;
   }
 
   at(frame: number): Contact[] {
@@ -39,7 +42,7 @@ export class Contacts {
     while (chunk > 0 && this.chunks[chunk].first > frame) --chunk;
     if (chunk < 0) return [];
     if (this.latest?.frame === frame) return this.latest.contacts;
-    if (this.unpacked?.chunk !== chunk) this.unpacked = { chunk, contacts: new ContactChunk(this.chunks[chunk].bytes) };
+    if (this.unpacked?.chunk !== chunk) this.unpacked = { chunk, contacts: new ContactChunk(this.chunks[chunk], this.header, this.frames) };
     const own = frame - this.chunks[chunk].first;
     const contacts = own < this.unpacked.contacts.frames ? this.unpacked.contacts.at(own) : [];
     this.latest = { frame, contacts };
@@ -51,103 +54,156 @@ const numbersOfContact = 11;
 /** Point and normal: expected to go on in a straight line. */
 const firstSmooth = 2, endSmooth = 8;
 
-/** A chunk (rigor/view/page/page_contacts.hpp): all numbers at once in flat arrays, the contacts of a frame when they are asked for. */
-export class ContactChunk {
-  private readonly steps: { force: number; gap: number; place: number; normal: number };
+/** Which contacts there are in the frames of a chunk, packed_contacts (rigor/view/page/page_contacts.hpp). */
+class ContactList {
+  readonly steps: { force: number; gap: number; place: number; normal: number };
+  /** Whether points and normals are expected to go on in a straight line. */
+  readonly isSmooth: boolean;
   /** Where each frame begins, and the end of the last. */
-  private readonly starts: number[] = [0];
-  private readonly bodyA: Int32Array;
-  private readonly bodyB: Int32Array;
-  /** Eleven numbers a contact. */
-  private readonly numbers: Float64Array;
+  readonly starts: number[] = [0];
+  readonly bodyA: number[] = [];
+  readonly bodyB: number[] = [];
+  /** The place of the same contact in the frame before; -1: it is new. */
+  readonly from: number[] = [];
 
-  constructor(bytes: Uint8Array) {
-    const reader = new Reader(bytes);
+  constructor(reader: Reader) {
     this.steps = { force: reader.f64(), gap: reader.f64(), place: reader.f64(), normal: reader.f64() };
+    this.isSmooth = reader.u32() > 1;
     const frames = reader.u32();
-    for (let k = 0; k < frames; ++k) this.starts.push(this.starts[k] + reader.varint());
-    const total = this.starts[frames];
-    this.bodyA = new Int32Array(total);
-    this.bodyB = new Int32Array(total);
-    this.numbers = new Float64Array(numbersOfContact * total);
-    for (let i = 0; i < total; ++i) this.bodyA[i] = reader.varint();
-    for (let i = 0; i < total; ++i) this.bodyB[i] = reader.varint();
-    for (let k = 0; k < numbersOfContact; ++k) for (let i = 0; i < total; ++i) this.numbers[numbersOfContact * i + k] = reader.varint();
-    this.unfold(frames);
+    const added = Array.from({ length: frames }, () => reader.varint());
+    const kept = this.readKept(reader, added);
+    const firstBodies = added.map((count) => {
+      let body = 0;
+      return Array.from({ length: count }, () => (body += reader.varint()));
+    });
+    const newPairs = firstBodies.map((firsts) => firsts.map((body): [number, number] => [body, body + reader.varint()]));
+    for (let frame = 0; frame < frames; ++frame) this.merge(kept[frame], newPairs[frame]);
+    reader.checkEnd();
   }
 
   get frames(): number {
     return this.starts.length - 1;
   }
 
+  /** For each frame the places, among those of the frame before, of the contacts that stay. */
+  private readKept(reader: Reader, added: number[]): number[][] {
+    let count = 0;
+    return added.map((own) => {
+      const kept: number[] = [];
+      for (let at = 0, stays = true; at < count; stays = !stays) {
+        const end = at + reader.varint();
+        if (end < at || end > count) throw new DataError("a contacts block does not fit itself");
+        for (; at < end; ++at) if (stays) kept.push(at);
+      }
+      count = kept.length + own;
+      return kept;
+    });
+  }
+
+  /** Adds a frame: what stays and what is new in the order of bodies, of one pair what stays before what is new. */
+  private merge(kept: number[], added: [number, number][]): void {
+    const last = this.starts.length > 1 ? this.starts[this.starts.length - 2] : 0;
+    let i = 0;
+    const keep = () => {
+      const from = last + kept[i++];
+      this.push(this.bodyA[from], this.bodyB[from], from);
+    };
+    for (const [a, b] of added) {
+      const comesFirst = (from: number) => this.bodyA[from] < a || (this.bodyA[from] === a && this.bodyB[from] <= b);
+      while (i < kept.length && comesFirst(last + kept[i])) keep();
+      this.push(a, b, -1);
+    }
+    while (i < kept.length) keep();
+    this.starts.push(this.bodyA.length);
+  }
+
+  private push(a: number, b: number, from: number): void {
+    this.bodyA.push(a);
+    this.bodyB.push(b);
+    this.from.push(from);
+  }
+}
+
+/** All numbers of a chunk at once in a flat array, the contacts of a frame when they are asked for. */
+class ContactChunk {
+  private readonly list: ContactList;
+  /** Eleven numbers a contact. */
+  private readonly numbers: Float64Array;
+
+  constructor(private readonly chunk: { first: number; bytes: Uint8Array }, private readonly header: Header, private readonly motion: Frames) {
+    const reader = new Reader(chunk.bytes);
+    this.list = new ContactList(reader);
+    const total = this.list.from.length;
+    this.numbers = new Float64Array(numbersOfContact * total);
+    for (let k = 0; k < numbersOfContact; ++k) for (let i = 0; i < total; ++i) this.numbers[numbersOfContact * i + k] = reader.varint();
+    reader.checkEnd();
+    this.unfold();
+  }
+
+  get frames(): number {
+    return this.list.frames;
+  }
+
   at(frame: number): Contact[] {
-    const begin = this.starts[frame], count = this.starts[frame + 1] - begin;
-    return Array.from({ length: count }, (_, i) => this.contact(begin + i));
+    const { starts } = this.list;
+    return Array.from({ length: starts[frame + 1] - starts[frame] }, (_, i) => this.contact(starts[frame] + i, this.chunk.first + frame));
   }
 
   /** Adds to the stored differences what they are differences from: the same contact of the last frame, and of the one before. */
-  private unfold(frames: number): void {
-    let last = new Places(), before = new Places();
+  private unfold(): void {
     const { numbers } = this;
-    for (let frame = 0; frame < frames; ++frame) {
-      const now = new Places();
-      let a = 0, b = -1, which = 0;
-      for (let i = this.starts[frame]; i < this.starts[frame + 1]; ++i) {
-        const ownA = (this.bodyA[i] += a), ownB = (this.bodyB[i] += ownA);
-        which = ownA === a && ownB === b ? which + 1 : 0;
-        [a, b] = [ownA, ownB];
-        // Exact up to two million bodies; no frame has more than 2048 points a pair.
-        const name = (a * 2097152 + b) * 2048 + which;
-        const newer = last.of(name), older = newer < 0 ? -1 : before.of(name);
-        const at = numbersOfContact * i;
-        if (newer >= 0) for (let k = 0; k < numbersOfContact; ++k) numbers[at + k] += numbers[numbersOfContact * newer + k];
-        if (older >= 0) for (let k = firstSmooth; k < endSmooth; ++k) numbers[at + k] += numbers[numbersOfContact * newer + k] - numbers[numbersOfContact * older + k];
-        now.add(name, i);
-      }
-      [before, last] = [last, now];
+    const { from, isSmooth } = this.list;
+    for (let i = 0; i < from.length; ++i) {
+      if (from[i] < 0) continue;
+      const at = numbersOfContact * i, newer = numbersOfContact * from[i];
+      for (let k = 0; k < numbersOfContact; ++k) numbers[at + k] += numbers[newer + k];
+      if (!isSmooth || from[from[i]] < 0) continue;
+      const older = numbersOfContact * from[from[i]];
+      for (let k = firstSmooth; k < endSmooth; ++k) numbers[at + k] += numbers[newer + k] - numbers[older + k];
     }
   }
 
-  private contact(i: number): Contact {
-    const { numbers, steps } = this;
+  private contact(i: number, frame: number): Contact {
+    const { numbers } = this;
+    const { steps, bodyA, bodyB, isSmooth } = this.list;
     const at = numbersOfContact * i;
-    const vector = (from: number, step: number): [number, number, number] => [numbers[at + from] * step, numbers[at + from + 1] * step, numbers[at + from + 2] * step];
+    const middle = this.middle(bodyA[i], bodyB[i], frame);
+    const direction = isSmooth ? origin : this.direction(bodyA[i], bodyB[i], frame);
+    const vector = (first: number, step: number, from: number[]) => from.map((x, c) => (x + numbers[at + first + c]) * step) as [number, number, number];
     return {
-      bodyA: this.bodyA[i],
-      bodyB: this.bodyB[i],
+      bodyA: bodyA[i],
+      bodyB: bodyB[i],
       mode: modes[numbers[at]] ?? "unknown",
       gap: numbers[at + 1] * steps.gap,
-      point: vector(2, steps.place),
-      normal: vector(5, steps.normal),
-      force: vector(8, steps.force),
+      point: vector(2, steps.place, middle),
+      normal: vector(5, steps.normal, direction),
+      force: vector(8, steps.force, origin),
     };
   }
-}
 
-/** Where the contacts of a frame are, by their names. Most frames have them in ascending order and are asked in that order: a look ahead finds them. */
-class Places {
-  private readonly names: number[] = [];
-  private readonly places: number[] = [];
-  private isAscending = true;
-  private next = 0;
-  private byName: Map<number, number> | undefined;
-
-  add(name: number, place: number): void {
-    if (this.names.length > 0 && name < this.names[this.names.length - 1]) this.isAscending = false;
-    this.names.push(name);
-    this.places.push(place);
+  /** The middle of the centres of mass of the bodies that are not static, in steps of places. */
+  private middle(a: number, b: number, frame: number): number[] {
+    const moving = [a, b].map((body) => this.motion.place(frame, body)).filter((place) => place >= 0);
+    if (moving.length === 0) return origin;
+    const ratio = (moving.length * this.list.steps.place) / this.header.position_step;
+    return [0, 1, 2].map((c) => Math.floor(moving.reduce((sum, place) => sum + this.whole(place + c), 0) / ratio + 0.5));
   }
 
-  /** -1 if there is none; of several the last. */
-  of(name: number): number {
-    const { names, places } = this;
-    if (!this.isAscending) {
-      this.byName ??= new Map(names.map((own, i) => [own, places[i]]));
-      return this.byName.get(name) ?? -1;
-    }
-    // Who asks begins anew where it asks for less than before.
-    if (this.next > 0 && names[this.next - 1] >= name) this.next = 0;
-    while (this.next < names.length && names[this.next] < name) ++this.next;
-    return names[this.next] === name ? places[this.next] : -1;
+  /** The direction from the centre of a to that of b, in steps of normals; none if one of them is static. */
+  private direction(a: number, b: number, frame: number): number[] {
+    const [from, to] = [a, b].map((body) => this.motion.place(frame, body));
+    if (from < 0 || to < 0) return origin;
+    const d = [0, 1, 2].map((c) => this.whole(to + c) - this.whole(from + c));
+    const square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (square === 0) return origin;
+    const scale = Math.sqrt(square) * this.list.steps.normal;
+    return d.map((x) => Math.floor(x / scale + 0.5));
+  }
+
+  /** A coordinate of a body in steps of positions. */
+  private whole(place: number): number {
+    return Math.round(this.motion.position[place] / this.header.position_step);
   }
 }
+
+const origin = [0, 0, 0];

@@ -1,5 +1,7 @@
 import { DataError } from "./blocks";
 
+export type Numbers = Float64Array | Float32Array | Int16Array | Uint8Array;
+
 /** Reads numbers from bytes, one after the other, as rigor/view/page/page_block.hpp writes them. */
 export class Reader {
   private at = 0;
@@ -39,16 +41,23 @@ export class Reader {
     return folded % 2 ? -(folded + 1) / 2 : folded / 2;
   }
 
-  /** A column of whole numbers, times the scale, into every stride-th place of the array. */
-  column(count: number, scale: number, into: Float64Array | Float32Array | Int16Array | Uint8Array, start: number, stride: number): void {
-    let last = 0;
-    let before = 0;
+  /** A column of whole numbers, times the scale, into every stride-th place of the array; order: of ColumnOrder (rigor/view/page/page_block.hpp). */
+  column(count: number, scale: number, into: Numbers, start: number, stride: number, order = 2): void {
+    let last = 0, before = 0, earlier = 0;
     for (let k = 0, place = start; k < count; ++k, place += stride) {
-      const value = this.varint() + (k < 2 ? last : 2 * last - before);
+      let value = this.varint() + last;
+      if (k > 1 && order > 1) value += last - before;
+      if (k > 2 && order > 2) value += last - 2 * before + earlier;
       into[place] = value * scale;
+      earlier = before;
       before = last;
       last = value;
     }
+    this.checkEnd();
+  }
+
+  /** Throws DataError if a number was read beyond the end. */
+  checkEnd(): void {
     if (this.at > this.bytes.length) throw new DataError("a block ends before its last number");
   }
 

@@ -91,14 +91,15 @@ async function loadRun(blocks: BlockText[], problems: string[], progress: (part:
     return readBlock(block);
   };
   const header = parseHeader(await only("header"));
+  const frames = new Frames(header);
   const run: Run = {
     header,
     meshes: readMeshes(await only("meshes"), header),
     series: new Map(),
     times: new Float64Array(),
     events: [],
-    frames: new Frames(header),
-    contacts: new Contacts(),
+    frames,
+    contacts: new Contacts(header, frames),
   };
   const series = new Reader(await only("series"));
   run.events = await readEvents(header, problems, only);
@@ -111,7 +112,7 @@ async function loadRun(blocks: BlockText[], problems: string[], progress: (part:
 
 function parseHeader(bytes: Uint8Array): Header {
   const header = JSON.parse(new TextDecoder().decode(bytes)) as Header;
-  if (header.format !== 1) throw new DataError(`the data have format ${header.format}; this viewer knows format 1`);
+  if (header.format !== 2) throw new DataError(`the data have format ${header.format}; this viewer knows format 2`);
   return header;
 }
 

@@ -39,6 +39,20 @@ describe("joints", () => {
     expect(jointed.half[2]).toBeCloseTo(0.5 + 3, 12);
   });
 
+  test("what stands still is worth looking at too, unless it is much larger", async () => {
+    const { runs } = await loadRuns(pageBlocks(), 6, () => {});
+    const withBox = (size: number) => {
+      const box = { type: "box" as const, half_extents: [size, size, size] as [number, number, number], p: [0, 0, 0] as [number, number, number], q: [1, 0, 0, 0] as [number, number, number, number], material: 0, color: "" };
+      const floor = { ...header.bodies[0], start: { p: [12, 0, 0] as [number, number, number], q: header.bodies[0].start.q } };
+      return extentOf({ ...header, bodies: [floor, header.bodies[1]], looks: [[box], []] }, runs[0].frames, []);
+    };
+    const alone = extentOf(header, runs[0].frames, []);
+    // About the place 2 m from the origin along x, as far as the ball goes on.
+    expect(withBox(2.5).half[1]).toBeCloseTo(2.5, 12);
+    expect(withBox(2.5).radius).toBeGreaterThan(alone.radius);
+    expect(withBox(50)).toEqual(alone);
+  });
+
   test("make a body without shapes as large as a twentieth of the way to them", () => {
     const small: Header = { ...withJoints(pivot), bodies: [header.bodies[0], { ...header.bodies[1], moments: [1e-9, 1e-9, 1e-9] }] };
     expect(shapesOf(small, 1)[0].radii).toEqual([3, 3, 3].map((x) => 0.05 * x));

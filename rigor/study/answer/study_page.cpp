@@ -26,7 +26,12 @@ std::string html_number(double value) {
 
 std::string html_table(const AnswerTable& table) {
   constexpr std::size_t most_rows = 200;
-  std::string text = fmt::format("<h2>{}</h2>\n<div class=\"wide\"><table><tr>", markup_text(table.title));
+  // What fills more than a screen is folded.
+  constexpr std::size_t most_open_rows = 24;
+  const bool is_long = table.rows.size() > most_open_rows;
+  std::string text = fmt::format("<h2>{}</h2>\n", markup_text(table.title));
+  if (is_long) text += fmt::format("<details><summary>{} rows</summary>\n", table.rows.size());
+  text += "<div class=\"wide\"><table><tr>";
   if (!table.labels.empty()) text += "<th></th>";
   for (const std::string& column : table.columns) text += fmt::format("<th>{}</th>", markup_text(column));
   text += "</tr>\n";
@@ -40,15 +45,20 @@ std::string html_table(const AnswerTable& table) {
   if (table.rows.size() > most_rows)
     text += fmt::format("<p class=\"hint\">{} more rows are in the answer as .json.</p>\n",
                         table.rows.size() - most_rows);
+  if (is_long) text += "</details>\n";
   return text;
 }
 
 AnswerTable findings_table(const StudyAnswer& answer) {
-  AnswerTable table{"Answer", {"value", "low", "high"}, {}};
+  const bool has_bounds = std::ranges::any_of(
+      answer.findings, [](const Finding& finding) { return finding.low || finding.high; });
+  AnswerTable table{"Answer", {"value"}, {}};
+  if (has_bounds) table.columns.insert(table.columns.end(), {"low", "high"});
   for (const Finding& finding : answer.findings) {
     table.labels.push_back(finding.name);
-    table.rows.push_back(
-        {finding.value, finding.low.value_or(std::nan("")), finding.high.value_or(std::nan(""))});
+    std::vector<double>& row = table.rows.emplace_back(1, finding.value);
+    if (has_bounds)
+      row.insert(row.end(), {finding.low.value_or(std::nan("")), finding.high.value_or(std::nan(""))});
   }
   return table;
 }

@@ -4,6 +4,7 @@
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -66,9 +67,13 @@ std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
 }  // namespace
 
 Shape drawn_form(const Shape& shape) {
-  const Cavity* const cavity = std::get_if<Cavity>(&shape);
-  if (cavity == nullptr) return shape;
-  return make_mesh(bowl_mesh(cavity->radius));
+  if (const Cavity* const cavity = std::get_if<Cavity>(&shape)) return make_mesh(bowl_mesh(cavity->radius));
+  constexpr double slenderest = 1.0 / 150;  // Radius to half the length.
+  Shape form = shape;
+  const auto thicken = [](auto& rod) { rod.radius = std::max(rod.radius, slenderest * rod.half_length); };
+  if (Capsule* const capsule = std::get_if<Capsule>(&form)) thicken(*capsule);
+  if (Cylinder* const cylinder = std::get_if<Cylinder>(&form)) thicken(*cylinder);
+  return form;
 }
 
 }  // namespace rigor

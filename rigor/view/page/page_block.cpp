@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -82,7 +83,7 @@ std::string block_html(const PageBlock& block, int run) {
   return fmt::format(
       "<script type=\"text/plain\" class=\"rigor-data\" data-run=\"{}\" data-kind=\"{}\" data-raw=\"{}\" "
       "data-size=\"{}\" data-crc=\"{:08x}\">{}</script>\n",
-      run, block.kind, block.raw_size, block.deflated.size(), block.checksum, base64(block.deflated));
+      run, block.kind, block.raw_size, block.deflated.size(), block.checksum, seven_bit_text(block.deflated));
 }
 
 std::string base64(std::string_view bytes) {
@@ -97,6 +98,36 @@ std::string base64(std::string_view bytes) {
     }
     for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
   }
+  return text;
+}
+
+std::string seven_bit_text(std::string_view bytes) {
+  constexpr std::array<unsigned, 3> left_out = {0, '\r', '<'};
+  std::string text;
+  text.reserve(bytes.size() + bytes.size() / 6 + 4);
+  unsigned bits = 0, first = 0;
+  int count = 0;
+  bool has_first = false;  // Of a pair of groups that one character stands for.
+  const auto add = [&](unsigned group) {
+    if (has_first) {
+      // Two bytes of UTF-8.
+      const unsigned code = 128 + 128 * first + group;
+      text += static_cast<char>(0xc0 | code >> 6);
+      text += static_cast<char>(0x80 | (code & 63));
+      has_first = false;
+      return;
+    }
+    for (unsigned k = 0; k < left_out.size(); ++k) {
+      if (group == left_out[k]) first = k, has_first = true;
+    }
+    if (!has_first) text += static_cast<char>(group);
+  };
+  for (const char byte : bytes) {
+    bits = bits << 8 | static_cast<unsigned char>(byte);
+    for (count += 8; count >= 7; count -= 7) add(bits >> (count - 7) & 127);
+  }
+  if (count > 0) add(bits << (7 - count) & 127);
+  if (has_first) add(0);
   return text;
 }
 
@@ -117,14 +148,8 @@ void append_varint(std::int64_t value, std::string& bytes) {
   bytes += static_cast<char>(folded);
 }
 
-void append_column(std::span<const std::int64_t> values, std::string& bytes) {
-  // Linear prediction: from the third value on, the last two are extrapolated.
-  std::int64_t last = 0, before = 0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    append_varint(values[k] - (k < 2 ? last : 2 * last - before), bytes);
-    before = last;
-    last = values[k];
-  }
+void append_column(std::span<const std::int64_t> values, std::string& bytes, ColumnOrder order) {
+  for_residuals(values, order, [&](std::int64_t residual) { append_varint(residual, bytes); });
 }
 
 void append_exact_column(std::span<const double> values, std::string& bytes) {

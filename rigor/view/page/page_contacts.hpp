@@ -2,35 +2,50 @@
 
 #include "rigor/sim/audit/contact_snapshot.hpp"
 #include "rigor/view/page/page_block.hpp"
+#include "rigor/view/page/page_frames.hpp"
 
-#include <array>
-#include <cstdint>
+#include <memory>
 #include <optional>
-#include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace rigor {
-
-struct PageScale;
 
 /// One point for all neighbours in the list that are of the same two bodies: with the sum of their forces, in
 /// the middle of these, the gap of the deepest and the mode of the one with the largest force.
 std::vector<TouchingPoint> joined_by_pairs(const std::vector<TouchingPoint>& points);
 
-/// Collects the contacts of each frame and packs them in chunks. A chunk is self-contained: f64 force step
-/// [N], f64 gap step [m], f64 place step [m], f64 normal step, u32 frames; then columns of varints, one after
-/// the other: for each frame the number of contacts; for each contact the first body minus that of the
-/// previous contact in the frame, the second body minus the first, and eleven numbers: mode
-/// (TouchingPoint::Mode), gap, point, normal, force. These numbers are stored as differences from the same
-/// contact (the k-th of its pair) in the previous frame, where it existed; point and normal as differences
-/// from linear extrapolation, where it existed in the two previous frames.
+/// The contacts of successive frames as they came.
+struct ContactChunk {
+  const Model& model;
+  PageScale scale;
+  double gap_step;  ///< [m].
+  struct Frame {
+    std::vector<TouchingPoint> points;
+    std::shared_ptr<const State> state;  ///< See phases_of (page_frames.hpp).
+  };
+  std::vector<Frame> frames{};
+};
+
+/// Packs a chunk. It is self-contained: f64 force step [N], f64 gap step [m], f64 place step [m], f64 normal
+/// step, u32 order (ColumnOrder), u32 frames; then columns of varints, one after the other: of each frame how
+/// many contacts are new; how many of the last frame's stay, go, stay, ... until all are counted; of each new
+/// contact its first body minus that of the new one before it in the frame (0 before the first), and the
+/// second body minus the first. Contacts of a frame are in the order of their bodies; those of one pair stand
+/// in the order of their numbering, and the last ones go first. Then eleven numbers of each contact: mode
+/// (TouchingPoint::Mode), gap, point, normal, force. Points count from the middle of the centres of mass of
+/// those of its two bodies that are not fixed, as PageFrames stores them, rounded half up to steps of places;
+/// where the order is constant, normals from the direction between these centres, if both bodies move.
+/// All numbers are stored as differences from the same contact in the previous frame, where it existed; point
+/// and normal, where the order is linear, from linear extrapolation where it existed in the two previous
+/// frames.
 ///
 /// Crowds are stored no finer than is shown of them: points to 1/16 of the smallest body's radius, gaps to
-/// 1/128 of it, normals to 1/32, forces to 1/64 of what all but a fiftieth of the contacts stay below; and
+/// 1/128 of it, normals to 1/32, forces to 1/32 of what all but a fiftieth of the contacts stay below; and
 /// only what carries a force, whose force is not known, or that lies deeper than a thirty-second of that
 /// radius.
+PageBlock packed_contacts(const ContactChunk& chunk);
+
+/// Collects the contacts of each frame in chunks.
 class PageContacts {
  public:
   /// If a frame has more contacts, the first ones are kept.
@@ -39,35 +54,17 @@ class PageContacts {
   /// (joined_by_pairs).
   static constexpr std::size_t most_single = 2000;
 
-  /// contact_tolerance [m]: gaps are quantised to a sixteenth of it.
-  PageContacts(const PageScale& scale, double contact_tolerance);
+  /// contact_tolerance [m]: gaps are quantised to a sixteenth of it. model must outlive what add and finish
+  /// return.
+  PageContacts(const Model& model, const PageScale& scale, double contact_tolerance);
   /// Adds the contacts of one more frame; returns a chunk when it is full.
-  std::optional<PageBlock> add(const std::vector<TouchingPoint>& points);
-  /// Packs the frames since the last chunk, if there are any.
-  std::optional<PageBlock> finish();
+  std::optional<PagePacking> add(std::vector<TouchingPoint> points, std::shared_ptr<const State> phases);
+  /// The frames since the last chunk, if there are any.
+  std::optional<PagePacking> finish();
 
  private:
-  static constexpr std::size_t numbers = 11;
-  using Numbers = std::array<std::int64_t, numbers>;
-  using Name = std::tuple<int, int, int>;  ///< The two bodies and the index of the contact among theirs.
-  using Frame = std::vector<std::pair<Name, Numbers>>;  ///< In the order of the names.
-  /// Sizes of the steps of a chunk.
-  struct Steps {
-    double force, gap, place, normal;
-  };
-  Steps steps_of_chunk() const;
-  std::vector<TouchingPoint> crowd_of(const std::vector<TouchingPoint>& all) const;
-  Numbers numbers_of(const TouchingPoint& point, const Steps& steps) const;
-  static void put_in_order(Frame& frame);
-  class Lookup;
-  static Numbers expected(const Name& name, Lookup& last, Lookup& before);
-
-  Vec3 origin_;
-  double place_step_, gap_step_, body_radius_;
-  bool is_crowd_of_bodies_;
-  bool is_crowded_ = false;                         ///< A frame of the chunk is a crowd.
-  std::vector<std::vector<TouchingPoint>> frames_;  ///< Frames of the chunk that is being filled.
-  std::size_t count_ = 0;                           ///< Number of contacts in them.
+  ContactChunk chunk_;
+  std::size_t count_ = 0;  ///< Number of contacts in the chunk.
 };
 
 }  // namespace rigor

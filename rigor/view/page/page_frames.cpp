@@ -16,12 +16,6 @@ namespace {
 constexpr int bodies_times_frames = 200000;
 constexpr int fewest_frames = 16, most_frames = 256;
 
-/// Velocities are quantised to a part of the largest one of the chunk, angular and linear ones separately.
-double velocity_step(double largest, int parts) {
-  const bool is_usable = std::isfinite(largest) && largest / parts > std::numeric_limits<double>::min();
-  return is_usable ? power_of_two_below(2 * largest / parts) : 1;
-}
-
 }  // namespace
 
 PageScale page_scale(const Model& model, const State& start) {
@@ -45,13 +39,15 @@ PageScale page_scale(const Model& model, const State& start) {
   // The steps follow from the extent, but stay small compared with the smallest body.
   const double diagonal = (around.upper - around.lower).norm();
   const double extent = diagonal > 0 ? diagonal : model.length_scale();
-  const double step = power_of_two_below(std::min(2e-5 * extent, 2e-3 * smallest));
-  PageScale scale{0.5 * (around.lower + around.upper), extent, step / (count <= 64 ? 64 : 1), 4 * step,
+  constexpr int few = 16, crowd = 1000, coarsest = 255;
+  const bool is_crowd = count > crowd && std::isfinite(smallest);
+  const double step =
+      power_of_two_below(is_crowd ? 4e-3 * smallest : std::min(2e-5 * extent, 2e-3 * smallest));
+  PageScale scale{0.5 * (around.lower + around.upper), extent, step / (count <= few ? 64 : 1), 4 * step,
                   std::isfinite(smallest) ? smallest : extent};
-  constexpr int crowd = 1000, coarsest = 255;
-  scale.is_crowd = count > crowd;
-  if (scale.is_crowd) {
-    const double parts = std::floor(32767 * packing_error / (2 * step / scale.body_radius));
+  scale.is_crowd = is_crowd;
+  if (is_crowd) {
+    const double parts = std::ceil(32767 * packing_error / (2 * step / scale.body_radius));
     scale.orientation_parts = static_cast<int>(std::clamp<double>(parts, coarsest, 32767));
     scale.velocity_parts = 256;
   }
@@ -76,72 +72,33 @@ PackedQuaternion packed(const Quat& q, int parts) {
   return result;
 }
 
-PageFrames::PageFrames(const Model& model, const PageScale& scale) : model_(model), scale_(scale) {
-  for (int i = 0; i < model.body_count(); ++i) {
-    if (model.body(i).motion != MotionType::fixed) moving_.push_back(i);
-  }
-  const int count = std::max(1, static_cast<int>(moving_.size()));
-  chunk_size_ = std::clamp(bodies_times_frames / count, fewest_frames, most_frames);
-  columns_.resize(moving_.size());
+std::shared_ptr<const State> phases_of(const State& state) {
+  auto phases = std::make_shared<State>();
+  phases->t = state.t;
+  phases->x = state.x, phases->q = state.q, phases->P = state.P, phases->L = state.L;
+  return phases;
 }
 
-std::optional<PageBlock> PageFrames::add(const State& state) {
-  for (std::size_t i = 0; i < moving_.size(); ++i) {
-    const int body = moving_[i];
-    BodyColumns& columns = columns_[i];
-    const Vec3 x = state.position(body) - scale_.origin;
-    const PackedQuaternion q = packed(state.orientation(body), scale_.orientation_parts);
-    const Vec3 v = linear_velocity(model_, state, body), w = angular_velocity(model_, state, body);
-    columns.pose[3].push_back(q.largest);
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t place = at(k);
-      columns.pose[place].push_back(quantised(x[k], scale_.position_step));
-      columns.pose[4 + place].push_back(q.others[place]);
-      columns.velocity[place].push_back(v[k]);
-      columns.velocity[3 + place].push_back(w[k]);
-    }
+PageFrames::PageFrames(const Model& model, const PageScale& scale) : chunk_{model, scale, {}} {
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::fixed) chunk_.moving.push_back(i);
   }
+  const int count = std::max(1, static_cast<int>(chunk_.moving.size()));
+  chunk_size_ = at(std::clamp(bodies_times_frames / count, fewest_frames, most_frames));
+}
+
+std::optional<PagePacking> PageFrames::add(std::shared_ptr<const State> phases) {
+  chunk_.states.push_back(std::move(phases));
   ++frame_count_;
-  if (++frames_in_chunk_ == chunk_size_) return finish();
+  if (chunk_.states.size() == chunk_size_) return finish();
   return std::nullopt;
 }
 
-std::optional<PageBlock> PageFrames::finish() {
-  if (frames_in_chunk_ == 0) return std::nullopt;
-  // The velocity steps follow from the largest components of the chunk.
-  double speed = 0, spin = 0;
-  for (const BodyColumns& columns : columns_) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      double& largest = k < 3 ? speed : spin;
-      for (const double value : columns.velocity[k]) largest = std::max(largest, std::abs(value));
-    }
-  }
-  const double speed_step = velocity_step(speed, scale_.velocity_parts),
-               spin_step = velocity_step(spin, scale_.velocity_parts);
-
-  // The header of the chunk.
-  std::string bytes;
-  append_f64(speed_step, bytes);
-  append_f64(spin_step, bytes);
-  append_u32(static_cast<std::uint32_t>(frames_in_chunk_), bytes);
-  append_u32(static_cast<std::uint32_t>(moving_.size()), bytes);
-  // Thirteen columns per body: those of the pose are quantised already, those of the velocities are now.
-  std::vector<std::int64_t> whole;
-  for (BodyColumns& columns : columns_) {
-    for (std::vector<std::int64_t>& column : columns.pose) {
-      append_column(column, bytes);
-      column.clear();
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-      whole.clear();
-      for (const double value : columns.velocity[k])
-        whole.push_back(quantised(value, k < 3 ? speed_step : spin_step));
-      append_column(whole, bytes);
-      columns.velocity[k].clear();
-    }
-  }
-  frames_in_chunk_ = 0;
-  return make_page_block("frames", bytes);
+std::optional<PagePacking> PageFrames::finish() {
+  if (chunk_.states.empty()) return std::nullopt;
+  PagePacking packing = [chunk = chunk_] { return packed_frames(chunk); };
+  chunk_.states.clear();
+  return packing;
 }
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,10 @@ struct PageScale {
   int velocity_parts = 4096;      ///< The largest velocity of a chunk is stored in at least so many steps.
 };
 /// The steps are powers of two, at most 2e-5 of the extent (an error of 1e-5) and 2e-3 of the smallest moving
-/// body. The step of positions is 64 times finer where at most 64 bodies move, since that costs little there;
-/// the step of contacts is 4 times coarser. Of more than a thousand bodies orientations and velocities are
-/// stored no finer than one can see: the surface of the smallest body within twice the step of positions, and
-/// 1/256.
+/// body. The step of positions is 64 times finer where at most 16 bodies move, since that costs little there;
+/// the step of contacts is 4 times coarser. More than a thousand bodies are stored no finer than one can see:
+/// positions to 2e-3 of the radius of the smallest body, orientations so that its surface is within twice the
+/// step of positions, velocities to 1/256.
 PageScale page_scale(const Model& model, const State& start);
 
 /// A unit quaternion by its three smaller components, each in ±parts for ±1/√2.
@@ -42,31 +43,48 @@ inline double packing_error_of(int parts) {
   return packing_error * 32767 / parts;
 }
 
-/// Collects the motion of all bodies except fixed ones, quantised, and packs it in chunks of many frames
-/// each. A chunk is self-contained: f64 speed step [m/s], f64 spin step [rad/s], u32 frames, u32 bodies; then
-/// 13 columns for each body (append_column): x y z of the centre of mass in position steps from the origin;
-/// index of the largest component of the quaternion and the three others; velocity x y z; angular velocity x
-/// y z.
+/// What a page needs of a State: the time and the phases of all bodies.
+std::shared_ptr<const State> phases_of(const State& state);
+
+/// The motion of some bodies at successive output times.
+struct FrameChunk {
+  const Model& model;
+  PageScale scale;
+  std::vector<int> moving;                             ///< Model indices.
+  std::vector<std::shared_ptr<const State>> states{};  ///< See phases_of.
+};
+
+/// Packs a chunk. It is self-contained: f64 speed step [m/s], f64 spin step [rad/s], f64 travel, f64 turn;
+/// u32 order of the columns of velocities and of angular velocities (ColumnOrder), frames, bodies. Then
+/// columns of varints: v x y z of each body, then w x y z of each (append_column); then, of each body, x y z
+/// of the centre of mass in position steps from the origin; then, of each body, index of the largest
+/// component of the quaternion (ColumnOrder::constant) and the three others.
+///
+/// Positions and orientations are residuals of what the velocities V, W (in steps) at both ends of an
+/// interval make of the last pose: x + (travel (V_last + V) + 2¹⁵) / 2¹⁶, rounded down, and exp(turn (W_last
+/// + W)) q, see predicted_orientation. The first ones of a chunk are whole.
+PageBlock packed_frames(const FrameChunk& chunk);
+
+/// exp(a) q for half a rotation vector a and q as w x y z: by its series to a⁶, which is enough for
+/// residuals; q itself for |a| >= 2. The viewer does the same operations in the same order, so that both
+/// round alike.
+std::array<double, 4> predicted_orientation(const std::array<double, 4>& q, const std::array<double, 3>& a);
+
+/// Collects the motion of all bodies except fixed ones in chunks of many frames.
 class PageFrames {
  public:
+  /// model must outlive what add and finish return.
   PageFrames(const Model& model, const PageScale& scale);
   /// Adds one more frame; returns a chunk when it is full.
-  std::optional<PageBlock> add(const State& state);
+  std::optional<PagePacking> add(std::shared_ptr<const State> phases);
   int frame_count() const { return frame_count_; }
-  /// Packs the frames since the last chunk, if there are any.
-  std::optional<PageBlock> finish();
+  /// The frames since the last chunk, if there are any.
+  std::optional<PagePacking> finish();
 
  private:
-  struct BodyColumns {
-    std::array<std::vector<std::int64_t>, 7> pose;
-    std::array<std::vector<double>, 6> velocity;  ///< Quantised once the largest of the chunk is known.
-  };
-  const Model& model_;
-  PageScale scale_;
-  std::vector<int> moving_;  ///< Model indices.
-  int chunk_size_;           ///< Frames.
-  int frames_in_chunk_ = 0, frame_count_ = 0;
-  std::vector<BodyColumns> columns_;
+  FrameChunk chunk_;
+  std::size_t chunk_size_;  ///< Frames.
+  int frame_count_ = 0;
 };
 
 }  // namespace rigor

@@ -143,7 +143,7 @@ PageRun::PageRun(const Scene& scene, const State& start, std::string label)
       label_(std::move(label)),
       scale_(page_scale(*scene.model, start)),
       frames_(*model_, scale_),
-      contacts_(scale_, scene.method.contact_tolerance),
+      contacts_(*model_, scale_, scene.method.contact_tolerance),
       series_(quantities.size()) {}
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy) {
@@ -151,9 +151,10 @@ void PageRun::add(const State& state, const AdvanceReport& since, const Energy& 
 }
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy,
-                  const std::vector<TouchingPoint>& contacts) {
-  keep(frames_.add(state));
-  keep(contacts_.add(contacts));
+                  std::vector<TouchingPoint> contacts) {
+  const std::shared_ptr<const State> phases = phases_of(state);
+  keep(frames_.add(phases));
+  keep(contacts_.add(std::move(contacts), phases));
   // One row of the series, in the order of `quantities`.
   work_ += since.work;
   const Momentum momentum = total_momentum(*latest_model_, state);
@@ -204,7 +205,7 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   without_bodies.bodies.clear();
   Json audit_of_run = Json::parse(audit_json(without_bodies));
   audit_of_run.erase("bodies");
-  Json header = {{"format", 1},
+  Json header = {{"format", 2},
                  {"rigor", version},
                  {"scene", name_},
                  {"duration", run_.duration},
@@ -239,12 +240,18 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
       make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};
   keep(frames_.finish());
   keep(contacts_.finish());
-  for (PageBlock& chunk : chunks_) blocks.push_back(std::move(chunk));
+  for (const std::shared_future<PageBlock>& chunk : chunks_) {
+    poll_interrupt();
+    blocks.push_back(chunk.get());
+  }
   return blocks;
 }
 
-void PageRun::keep(std::optional<PageBlock> chunk) {
-  if (chunk) chunks_.push_back(std::move(*chunk));
+void PageRun::keep(std::optional<PagePacking> chunk) {
+  if (!chunk) return;
+  // Two are packed at a time, so that a run which is quicker than its page does not fill the memory.
+  if (chunks_.size() > 1) chunks_[chunks_.size() - 2].wait();
+  chunks_.push_back(std::async(std::launch::async, std::move(*chunk)).share());
 }
 
 PageBlock PageRun::series_block() const {

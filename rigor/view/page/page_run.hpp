@@ -5,6 +5,7 @@
 #include "rigor/view/page/page_contacts.hpp"
 #include "rigor/view/page/page_frames.hpp"
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,7 +40,7 @@ class PageRun {
   void add(const State& state, const AdvanceReport& since, const Energy& energy);
   /// The same for known contacts of the state.
   void add(const State& state, const AdvanceReport& since, const Energy& energy,
-           const std::vector<TouchingPoint>& contacts);
+           std::vector<TouchingPoint> contacts);
   /// Continues with another model that has the same bodies; the header describes the last one.
   void continue_with(std::shared_ptr<const Model> model) { latest_model_ = std::move(model); }
   /// Values of the series at the last output time, in the order of the list in the header.
@@ -51,7 +52,7 @@ class PageRun {
   const std::string& name() const { return name_; }
 
  private:
-  void keep(std::optional<PageBlock> chunk);
+  void keep(std::optional<PagePacking> chunk);
   PageBlock events_block() const;
   PageBlock series_block() const;
 
@@ -62,7 +63,9 @@ class PageRun {
   PageScale scale_;
   PageFrames frames_;
   PageContacts contacts_;
-  std::vector<PageBlock> chunks_;  ///< Chunks of frames and contacts, in the order they were filled.
+  /// Chunks of frames and contacts, in the order they were filled; packed on another thread while the run
+  /// goes on.
+  std::vector<std::shared_future<PageBlock>> chunks_;
   std::vector<std::vector<double>> series_;  ///< One column per quantity.
   double work_ = 0;                          ///< Work supplied so far [J].
   std::vector<MotionEvent> events_;
