@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/semi_implicit_euler.hpp"
 #include "rigor/dynamics/system_ode.hpp"
 #include "rigor/solver/rosenbrock.hpp"
@@ -78,6 +79,7 @@ Linearisation linearised(const SystemOde& ode, const OdeFunction& f, double t, d
 /// accepted.
 double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const VecX& error,
                       const IntegratorTolerances& tolerances) {
+  const VecX begin = ode.start_vector();
   // A rotation by a small angle δ changes q by δ/2 and R by √2 δ.
   const double attitude_scale = ode.chart() == AttitudeChart::matrix ? 2 * std::sqrt(2.0) : 1;
   const double scales[3] = {tolerances.length_scale, tolerances.momentum_scale,
@@ -87,7 +89,7 @@ double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const Ve
     const int blocks = tolerances.ends_with_record && i + 1 == ode.body_count() ? 2 : 3;
     for (int block = 0; block < blocks; ++block) {
       const int at = ode.offset(i) + 3 * block;
-      const double size = std::max(step.dense.col(0).segment<3>(at).norm(), step.end.segment<3>(at).norm());
+      const double size = std::max(begin.segment<3>(at).norm(), step.end.segment<3>(at).norm());
       largest = std::max(largest, error.segment<3>(at).norm() / (scales[block] + size));
     }
     const double attitude = error.segment(ode.offset(i) + 9, ode.attitude_size()).norm();
@@ -126,27 +128,33 @@ DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int bod
   return dense;
 }
 
-}  // namespace
+/// A step of a method on the whole system, with or without what is asked of it within the step.
+RungeKuttaStep take_step(IntegratorName name, SystemOde& ode, double t, double h,
+                         const IntegratorTolerances& tolerances, bool has_dense) {
+  const auto f = [&ode](double time, const VecX& y) { return ode.derivative(time, y); };
+  if (name == IntegratorName::rodas) {
+    const Linearisation slopes = linearised(ode, f, t, h, tolerances);
+    return rodas_step(f, slopes.J, slopes.f_t, t, ode.start_vector(), h);
+  }
+  return has_dense ? runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h)
+                   : runge_kutta_end(tableau_of(name), f, t, ode.start_vector(), h);
+}
 
 // NOLINTNEXTLINE(readability-function-size): a step as it stands in the books.
-SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
-                          std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
-                          const IntegratorTolerances& tolerances) {
+SystemStep integrate(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
+                     std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
+                     const IntegratorTolerances& tolerances, bool has_dense) {
   RIGOR_ASSERT(inertias.size() == start.size());
   poll_interrupt();
   if (name == IntegratorName::semi_implicit_euler) {
-    return semi_implicit_euler_step(form, inertias, start, t, h, wrenches);
+    SystemStep step = semi_implicit_euler_step(form, inertias, start, t, h, wrenches);
+    if (!has_dense) step.dense.clear();
+    return step;
   }
 
-  // A Runge-Kutta step of the whole system.
+  // A step of the whole system.
   SystemOde ode(chart_of(name, form), inertias, start, wrenches);
-  const auto f = [&ode](double time, const VecX& y) { return ode.derivative(time, y); };
-  const auto taken = [&] {
-    if (name != IntegratorName::rodas) return runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
-    const Linearisation slopes = linearised(ode, f, t, h, tolerances);
-    return rodas_step(f, slopes.J, slopes.f_t, t, ode.start_vector(), h);
-  };
-  const RungeKuttaStep step = taken();
+  const RungeKuttaStep step = take_step(name, ode, t, h, tolerances, has_dense);
 
   // The phases and the dense output of each body, back from the vector.
   SystemStep result;
@@ -159,10 +167,25 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
     const int at = ode.offset(i);
     result.end.push_back(
         {step.end.segment<3>(at), q, step.end.segment<3>(at + 3), step.end.segment<3>(at + 6)});
-    result.dense.push_back(dense_phase(ode, step, i, ode.start(i).q));
+    if (has_dense) result.dense.push_back(dense_phase(ode, step, i, ode.start(i).q));
     result.quaternion_drift = std::max(result.quaternion_drift, ode.attitude_drift(step.end, i));
   }
   return result;
+}
+
+}  // namespace
+
+SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
+                          std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
+                          const IntegratorTolerances& tolerances) {
+  return integrate(name, form, inertias, start, t, h, wrenches, tolerances, true);
+}
+
+SystemStep integrate_end_of_step(IntegratorName name, OrientationForm form,
+                                 std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
+                                 double t, double h, const WrenchField& wrenches,
+                                 const IntegratorTolerances& tolerances) {
+  return integrate(name, form, inertias, start, t, h, wrenches, tolerances, false);
 }
 
 int integrator_order(IntegratorName name) {

@@ -1,5 +1,5 @@
+#include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/free_flight.hpp"
-#include "rigor/dynamics/integrator.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -130,6 +130,27 @@ TEST(Dop853, ErrorEstimateIsOfOrderEightAndRelativeToTheTolerance) {
   EXPECT_NEAR(error(1e-10, 0.1) / error(1e-8, 0.1), 100, 1e-9);
   EXPECT_NEAR(std::log2(error(1e-10, 0.1) / error(1e-10, 0.05)), 8, 0.3);
   EXPECT_TRUE(std::isinf(error(1e-10, 1e300)));
+}
+
+TEST(Dop853, EndOfStepHasTheSameBitsForTwelveWrenches) {
+  int asked = 0;
+  const WrenchField counted = [&asked](double, std::span<const BodyPhase> phases,
+                                       std::span<Wrench> wrenches) {
+    ++asked;
+    wrenches[0].tau_W = 0.1 * phases[0].L.cross(Vec3::UnitX());
+  };
+  const auto take = [&](auto integrate) {
+    return integrate(IntegratorName::dop853, OrientationForm::quaternion, std::span(&asymmetric, 1),
+                     std::span(&tumbling, 1), 0.0, 0.1, counted, IntegratorTolerances{});
+  };
+  const SystemStep whole = take(integrate_step);
+  EXPECT_EQ(asked, 16);
+  const SystemStep end = take(integrate_end_of_step);
+  EXPECT_EQ(asked, 16 + 12);
+  EXPECT_TRUE(end.dense.empty());
+  EXPECT_EQ(end.error, whole.error);
+  EXPECT_EQ(end.end[0].q.coeffs(), whole.end[0].q.coeffs());
+  EXPECT_EQ(end.end[0].L, whole.end[0].L);
 }
 
 }  // namespace

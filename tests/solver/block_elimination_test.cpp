@@ -123,8 +123,8 @@ TEST(ContactMatrix, SolvesWhatADenseMatrixSolves) {
       }
     }
 
-    const EliminationPattern pattern = elimination_pattern(rows);
-    ContactMatrix matrix(rows, pattern);
+    const EliminationPlan plan = elimination_plan(rows);
+    ContactMatrix matrix(rows, plan);
     for (const bool is_symmetric : {false, true}) {
       std::vector<Mat3> D;
       MatX dense = MatX::Zero(6 * nodes, 6 * nodes);

@@ -2,6 +2,7 @@
 
 #include "random_vectors.hpp"
 #include "rigor/core/work_count.hpp"
+#include "rigor/solver/linear/joint_ties.hpp"
 #include "rigor/solver/linear/node_system.hpp"
 #include "solver/jointed_scenes.hpp"
 
@@ -55,8 +56,8 @@ TEST(JointedMatrix, SolvesOnTheMotionsThatJointsAllow) {
     SCOPED_TRACE(example);
     const JointedScene scene = random_tree(2 + example % 9, example % 3 == 0, random);
     const ContactRows rows = scenes::motion_problem_of(scene).rows;
-    const EliminationPattern pattern = elimination_pattern(rows);
-    JointedMatrix matrix(rows, pattern, example % 2 ? 1.0 : 1e-3);
+    const EliminationPlan plan = elimination_plan(rows);
+    JointedMatrix matrix(rows, plan, example % 2 ? 1.0 : 1e-3);
     possible += matrix.is_possible();
     with_loops += !joint_ties(rows).loop_rows.empty();
     if (!matrix.is_possible()) continue;
@@ -99,8 +100,8 @@ TEST(JointedMatrix, CountsWorkInProportionToTheLinksOfAChain) {
     }
     const ContactRows rows = scenes::motion_problem_of(scene).rows;
     const std::uint64_t before = work_counted();
-    const EliminationPattern pattern = elimination_pattern(rows);
-    JointedMatrix matrix(rows, pattern, 1);
+    const EliminationPlan plan = elimination_plan(rows);
+    JointedMatrix matrix(rows, plan, 1);
     EXPECT_TRUE(matrix.factor(std::vector<Mat3>(rows.contacts.size(), Mat3::Identity()), true));
     return static_cast<double>(work_counted() - before);
   };
@@ -129,10 +130,10 @@ TEST(JointedMatrix, TreesAreEliminatedFromTheirLeaves) {
   std::vector<JointTies::Tie> ties;
   std::vector<std::pair<int, int>> pairs;
   for (int k = 1; k < count; ++k) {
-    ties.push_back({{k - 1, k}, {}});
+    ties.push_back({{k - 1, k}, {}, 0});
     pairs.emplace_back(k - 1, k);
   }
-  ties.push_back({{17}, {}});  // To the ground.
+  ties.push_back({{17}, {}, 0});  // To the ground.
   const std::vector<int> places = places_of_tied_nodes(count, pairs, ties);
   EXPECT_EQ(places[17], count - 1);
   for (int node = 0; node < count; ++node) {

@@ -83,8 +83,8 @@ TEST(JointedMotion, AJointBearsTheLoadThatContactsNeedNotBear) {
   JointedScene scene = box_on_points(2, 0.5, Vec3(0, 0, -kGravity));
   scene.joints.push_back({-1, 0, Vec3(0, 0, 0.3)});
   const MotionProblem problem = scenes::motion_problem_of(scene);
-  const EliminationPattern pattern = elimination_pattern(problem.rows);
-  const VecX forces = MotionModesSystem(problem, pattern,
+  const EliminationPlan plan = elimination_plan(problem.rows);
+  const VecX forces = MotionModesSystem(problem, plan,
                                         {std::vector<ContactMode>(4, ContactMode::stick),
                                          std::vector<Vec2>(4, Vec2::UnitX())})
                           .least_norm();

@@ -47,8 +47,9 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
                                 (is_ascending ? 1.0 : -1.0) * system.frames[i], contact.friction,
                                 restitutions[i], contact.tangential_restitution});
   }
-  if (problem.count() >= many_contacts && bodies_bear_all(system))
-    problem.rows = std::make_shared<const ContactRows>(motion_rows(system));
+  if (problem.count() >= many_contacts)
+    (bodies_bear_all(system) ? problem.rows : problem.jointed_rows) =
+        std::make_shared<const ContactRows>(motion_rows(system));
   problem.A = problem.rows && problem.count() >= too_many_for_matrix ? DelassusOperator(problem.rows)
                                                                      : DelassusOperator(delassus(system));
   return problem;
@@ -128,10 +129,10 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 }
 
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu) {
-  if (problem.rows) {
+  if (const auto& rows = problem.rows ? problem.rows : problem.jointed_rows) {
     // First in the space of motions; what that does not solve is left to the chain of dense methods.
     constexpr double enough_of_many = 1e-10;
-    const MotionProblem motion{*problem.rows, cones_of(b, mu)};
+    const MotionProblem motion{*rows, cones_of(b, mu)};
     CoulombOptions any_share;
     any_share.least_norm = false;
     any_share.enough = enough_of_many;

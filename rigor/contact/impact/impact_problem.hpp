@@ -32,6 +32,8 @@ struct ImpactProblem {
   VecX u;                               ///< Relative velocities before, 3n [m/s].
   /// What A is made of, where the contacts are many and bodies alone bear them: else none.
   std::shared_ptr<const ContactRows> rows = {};
+  /// The same where joints or loads bear them too: only all contacts together are solved on these.
+  std::shared_ptr<const ContactRows> jointed_rows = {};
 
   std::size_t count() const { return contacts.size(); }
 };

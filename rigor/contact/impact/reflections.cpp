@@ -198,7 +198,7 @@ ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::funct
   // λ_P: with e = 0 everywhere this is the answer.
   const CoulombSolution plastic = solve_plastic(problem, problem.u);
   ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
-  if (problem.rows) solution.unresolved = contradiction_speed(problem.u);
+  if (problem.rows || problem.jointed_rows) solution.unresolved = contradiction_speed(problem.u);
   const bool is_plastic = std::all_of(problem.contacts.begin(), problem.contacts.end(),
                                       [](const ImpactContact& contact) { return contact.restitution == 0; });
   if (is_plastic) return solution;

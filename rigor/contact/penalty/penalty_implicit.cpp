@@ -49,7 +49,7 @@ class SpringRows {
   SpringRows(const ContactRows& rows, const VecX& u_free, const std::vector<ImplicitSpring>& springs,
              double h, double theta)
       : rows_(rows),
-        pattern_(elimination_pattern(rows)),
+        plan_(elimination_plan(rows)),
         diagonal_(free_diagonal(rows)),
         u_free_(u_free),
         springs_(springs),
@@ -103,7 +103,7 @@ class SpringRows {
       W.push_back(h_ * theta_ * slope * springs_[i].resistance.asDiagonal());
     }
     constexpr bool is_symmetric = false;  // What slides is not.
-    const NodeSystem nodes(rows_, pattern_, W, 1, is_symmetric);
+    const NodeSystem nodes(rows_, plan_, W, 1, is_symmetric);
     if (!nodes.is_regular()) return VecX::Constant(F.size(), std::numeric_limits<double>::quiet_NaN());
     const VecX rates = contact_rates(rows_, nodes.solve(contact_wrenches(rows_, -F)));
     VecX x = -F;
@@ -141,7 +141,7 @@ class SpringRows {
   }
 
   const ContactRows& rows_;
-  EliminationPattern pattern_;
+  EliminationPlan plan_;
   VecX diagonal_;  ///< Of A, without joints.
   const VecX& u_free_;
   const std::vector<ImplicitSpring>& springs_;

@@ -77,8 +77,8 @@ VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std
   const bool is_small = modes.size() <= few_contacts && !system.joints;
   if (choice.space == RestingSpace::motion && !is_small) {
     const MotionProblem problem{motion_rows(system), laws};
-    const EliminationPattern pattern = elimination_pattern(problem.rows);
-    const MotionModesSystem forces(problem, pattern, {modes, laws.slips});
+    const EliminationPlan plan = elimination_plan(problem.rows);
+    const MotionModesSystem forces(problem, plan, {modes, laws.slips});
     if (forces.is_exact()) return forces.least_norm();
   }
   // Rows too close to dependent for motion space, or that contradict each other.
@@ -185,8 +185,8 @@ bool modes_have_forces(const ContactSystem& system, const std::vector<ContactSta
   CoulombProblem laws = laws_of_modes(system, states, wrenches, direction_tolerance);
   if (choice.space == RestingSpace::motion) {
     const MotionProblem problem{motion_rows(system), laws};
-    const EliminationPattern pattern = elimination_pattern(problem.rows);
-    const MotionModesSystem forces(problem, pattern, {modes_of(states), laws.slips});
+    const EliminationPlan plan = elimination_plan(problem.rows);
+    const MotionModesSystem forces(problem, plan, {modes_of(states), laws.slips});
     if (forces.is_exact()) return forces.find_in_cones().has_value();
   }
   laws.A = delassus(system);

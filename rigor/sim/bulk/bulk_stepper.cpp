@@ -47,7 +47,7 @@ bool BulkStepper::follow(const std::shared_ptr<const Model>& changed) {
   *own_ = *changed;
   std::vector<int> same(own_->joints().size());
   std::iota(same.begin(), same.end(), 0);
-  world_->change_ties(same, {});
+  world_->change_joints(same, {});
   world_->change_surfaces();
   world_->change_gravity();
   return true;

@@ -69,6 +69,7 @@ CoulombOptions first_order_options() {
   coarse.enough = 1e-4;
   coarse.max_iterations = 256;
   coarse.least_norm = false;
+  coarse.resolution = 0;  // Proximal points come first: contacts of a loop of bodies jam other methods.
   return coarse;
 }
 

@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
@@ -155,6 +156,10 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
 }
 
 IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff) const {
+  return step_of(is_stiff ? StepKind::stiff : StepKind::with_path, island, h);
+}
+
+IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double h) const {
   // The bodies of the island.
   const std::size_t count = island.bodies.size();
   std::vector<BodyInertia> inertias;
@@ -175,9 +180,11 @@ IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff)
     wrenches[count] = now.external;
     wrenches[count + 1] = {now.power.supplied * Vec3::UnitX(), Vec3(now.power.motors, now.power.friction, 0)};
   };
+  const bool is_stiff = kind == StepKind::stiff;
   const IntegratorName name = is_stiff ? IntegratorName::rodas : integrator_for(island);
-  SystemStep taken = integrate_step(name, is_stiff ? OrientationForm::quaternion : orientation_, inertias,
-                                    start, island.begin, h, field, tolerances(island));
+  const auto integrate = kind == StepKind::end_only ? integrate_end_of_step : integrate_step;
+  SystemStep taken = integrate(name, is_stiff ? OrientationForm::quaternion : orientation_, inertias, start,
+                               island.begin, h, field, tolerances(island));
 
   // The step of the bodies, and the ledger.
   IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
@@ -187,7 +194,7 @@ IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff)
   const BodyPhase& work = taken.end[count + 1];
   result.work = {.supplied = work.P.x(), .motors = work.L.x(), .friction = work.L.y()};
   taken.end.resize(count);
-  taken.dense.resize(count);
+  if (!taken.dense.empty()) taken.dense.resize(count);
   result.end = std::move(taken.end);
   result.dense = std::move(taken.dense);
   return result;
@@ -205,7 +212,7 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
   });
   StepController controller(integrator_order(integrator_for(island)));
   while (true) {
-    IslandStep taken = step(island, h);
+    IslandStep taken = step_of(bounds.needs_path ? StepKind::with_path : StepKind::end_only, island, h);
     // A step that overflows is too long, whatever estimate of its error there is.
     const bool is_finite = taken.is_finite();
     if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};

@@ -33,6 +33,7 @@ class IslandIntegrator {
   /// Of the size of a step: the shortest and the longest possible, and the target step that it is part of.
   struct StepBounds {
     double least, longest, whole;  ///< [s].
+    bool needs_path = true;        ///< Whether the motion within the step is asked for.
   };
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than the least: there
   /// `error` may exceed 1. Where explicit steps would have to be shorter than a ten-thousandth of the whole
@@ -68,6 +69,8 @@ class IslandIntegrator {
   /// can be taken from it.
   bool close_stiff_step(const Island& island, IslandStep& step) const;
   IntegratorTolerances tolerances(const Island& island) const;
+  enum class StepKind { with_path, end_only, stiff };
+  IslandStep step_of(StepKind kind, const Island& island, double h) const;
 
   const Model& model_;
   const Environment& environment_;

@@ -7,20 +7,10 @@
 
 namespace rigor {
 
-namespace {
-
-bool moves_alike(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const BodyPhase& x, const BodyPhase& y) {
-    return x.P == y.P && x.L == y.L && x.x == y.x && x.q.coeffs() == y.q.coeffs();
-  });
-}
-
-}  // namespace
-
 /// Call with the mutex held.
 const ImpactMemory::Known* ImpactMemory::find(const Cluster& part) const {
   const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& other) {
-    return other.before.bodies == part.bodies && moves_alike(other.before.phases, part.phases) &&
+    return other.before.bodies == part.bodies && are_same_phases(other.before.phases, part.phases) &&
            are_same_contacts(other.before.contacts, part.contacts);
   });
   return known == known_.end() ? nullptr : &*known;

@@ -3,9 +3,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/sorted_unique.hpp"
-#include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/report/force_uncertainty.hpp"
@@ -42,14 +40,13 @@ ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
     : model_(model),
       environment_(environment),
       assembler_(assembler),
-      integrator_(model, environment, assembler, method),
       resolver_(resolver),
-      joints_(joints),
+      free_motion_(model, environment, assembler, joints, method),
       solver_(method),
       springs_(model),
       without_springs_(model, PointSprings::left_out),
       assembler_without_springs_(model, without_springs_, assembler.motor_horizon()),
-      integrator_without_springs_(model, without_springs_, assembler_without_springs_, method),
+      free_motion_without_springs_(model, without_springs_, assembler_without_springs_, joints, method),
       has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
       pushes_at_distance_(method.cone == ConeMethod::convex),
       contact_tolerance_(method.contact_tolerance),
@@ -142,14 +139,6 @@ double ImpulseStep::closing_acceleration(const Contact& contact) const {
   return std::min(0.0, contact.point.n_W.dot(acceleration(contact.body_B) - acceleration(contact.body_A)));
 }
 
-/// The part after h without contacts.
-struct ImpulseStep::FreeEnd {
-  std::vector<BodyPhase> phases;
-  Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
-  Vec3 angular_impulse = Vec3::Zero();  ///< About the origin of W [N m s].
-  WorkDone work;                        ///< [J].
-};
-
 bool ImpulseStep::touches(const Contact& contact) const {
   return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
 }
@@ -160,58 +149,6 @@ bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const
   const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
                                        [this](const Contact& contact) { return touches(contact); });
   return is_touching && springs_.are_stiff(span, part.bodies, assembler_.assemble(part, part.contacts));
-}
-
-ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
-  return fly_under(environment_, integrator_, h, part, report);
-}
-
-/// The motion without contacts, under the forces of this environment.
-ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
-                                            const IslandIntegrator& integrator, double h, const Cluster& part,
-                                            AdvanceReport& report) const {
-  FreeEnd result;
-  const bool is_forced = std::any_of(part.bodies.begin(), part.bodies.end(),
-                                     [&](int body) { return environment.is_forced(body); });
-  if (!is_forced) {
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
-      const Body& body = model_.body(part.bodies[i]);
-      const BodyPhase& start = part.phases[i];
-      const FreeFlight flight(BodyInertia{body.mass, body.moments}, start, 0,
-                              environment.steady_acceleration(part.bodies[i]));
-      const BodyPhase end = flight.at(h);
-      result.impulse += end.P - start.P;
-      result.angular_impulse += end.x.cross(end.P) - start.x.cross(start.P);
-      result.phases.push_back(end);
-    }
-    return result;
-  }
-
-  // Steps of the integrator as its error allows, with positions projected on the joints after each.
-  Island island{part.bodies, part.phases, {}, {}, part.t};
-  double left = h, wanted = h;
-  for (long useless = 0; left > 0;) {
-    integrator.choose_joint_rows(island);
-    const ControlledStep taken = integrator.controlled_step(island, std::min(left, wanted),
-                                                            {std::min(left, least_step_share * h), left, h});
-    ++report.steps;
-    if (taken.step.error > 1) ++report.coarse_steps;
-    useless = taken.step.h < useless_share * h && taken.step.h < left ? useless + 1 : 0;
-    if (useless > most_useless_parts)
-      throw too_fast(model_, environment, island.bodies, island.start, taken.step.h);
-    report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
-    IslandStep step = taken.step;
-    island.begin += step.h;
-    joints_.project_positions(island.begin, island.bodies, step.end, report);
-    result.impulse += step.impulse;
-    result.angular_impulse += step.angular_impulse;
-    result.work += step.work;
-    island.start = std::move(step.end);
-    left = step.h < left ? left - step.h : 0;
-    wanted = std::max(taken.h_next, least_step_share * h);
-  }
-  result.phases = std::move(island.start);
-  return result;
 }
 
 std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
@@ -382,13 +319,13 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
   }
 }
 
-std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& part,
+std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& part, FreeMotionMemory& memory,
                                             AdvanceReport& report) const {
   // The smooth motion without contacts.
   const StepSpan span{part.t, h, theta};
   const bool has_springs = holds_springs(span, part);
-  FreeEnd end = has_springs ? fly_under(without_springs_, integrator_without_springs_, h, part, report)
-                            : fly(h, part, report);
+  const FreeMotion& free_motion = has_springs ? free_motion_without_springs_ : free_motion_;
+  FreeEnd end = free_motion.fly(h, part, memory, report);
   std::vector<ContactForce> forces;
 
   // The impulses of the whole step from one Coulomb problem, where contacts act.

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "rigor/sim/islands/contact_resolver.hpp"
-#include "rigor/sim/islands/island_integrator.hpp"
-#include "rigor/sim/islands/joint_projection.hpp"
+#include "rigor/sim/time_stepping/free_motion.hpp"
 #include "rigor/sim/time_stepping/impact_memory.hpp"
 #include "rigor/sim/time_stepping/step_solver.hpp"
 
@@ -27,12 +26,12 @@ class ImpulseStep {
   /// step.
   void strike(double h, Cluster& part, ImpactMemory& impacts, AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
-  /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.
-  /// Returns the forces of the contacts, their impulses over h.
-  std::vector<ContactForce> move(double h, double theta, Cluster& part, AdvanceReport& report) const;
+  /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows. memory: of the
+  /// tries of this step. Returns the forces of the contacts, their impulses over h.
+  std::vector<ContactForce> move(double h, double theta, Cluster& part, FreeMotionMemory& memory,
+                                 AdvanceReport& report) const;
 
  private:
-  struct FreeEnd;
   /// Contacts that close within a step, and those that touch.
   struct Closing {
     VecX b;  ///< Velocities (3n), the normal ones with gap / h added [m/s].
@@ -44,9 +43,6 @@ class ImpulseStep {
   Closing find_closing(double h, const ContactSystem& system, std::vector<bool>& struck) const;
   bool touches(const Contact& contact) const;
   bool holds_springs(const StepSpan& span, const Cluster& part) const;
-  FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
-  FreeEnd fly_under(const Environment& environment, const IslandIntegrator& integrator, double h,
-                    const Cluster& part, AdvanceReport& report) const;
   bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
   std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;
   ContactSystem middle_system(double h, const Cluster& part, const FreeEnd& free) const;
@@ -65,14 +61,13 @@ class ImpulseStep {
   const Model& model_;
   const Environment& environment_;
   const ContactSystemAssembler& assembler_;
-  IslandIntegrator integrator_;
   const ContactResolver& resolver_;
-  const JointProjection& joints_;
+  FreeMotion free_motion_;
   StepSolver solver_;
   ImplicitSprings springs_;
   Environment without_springs_;
   ContactSystemAssembler assembler_without_springs_;
-  IslandIntegrator integrator_without_springs_;
+  FreeMotion free_motion_without_springs_;
   bool has_implicit_springs_;
   bool pushes_at_distance_;  ///< The convex cone holds what slides at the distance h μ |u_t|.
   double contact_tolerance_;

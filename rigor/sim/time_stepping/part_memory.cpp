@@ -16,6 +16,12 @@ bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>
   });
 }
 
+bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const BodyPhase& x, const BodyPhase& y) {
+    return x.P == y.P && x.L == y.L && x.x == y.x && x.q.coeffs() == y.q.coeffs();
+  });
+}
+
 const MovedPart* PartMemory::find(double h, double theta, const Cluster& part) const {
   const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& other) {
     return other.h == h && other.theta == theta && other.part.bodies == part.bodies &&

@@ -23,6 +23,9 @@ struct MovedPart {
 /// and how surfaces bend, follows from the key and the points.
 bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>& b);
 
+/// Whether bodies are at the same places with the same momenta, bit for bit.
+bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b);
+
 /// The parts that the tries of one step have moved. Where tries differ elsewhere only, a part is the same
 /// problem again, bit for bit, and its answer is known.
 class PartMemory {

@@ -108,6 +108,7 @@ double TimeStepper::take_step(double h, State& state) {
   // What the tries of this step show is for this step.
   moved_.clear();
   impacts_.clear();
+  free_motions_.clear();
   try_work_ = 0;
   contacts_.begin_step(state);
   SpeculativeContacts speculative{h, std::vector<double>(at(model_->body_count()), 0.0)};
@@ -225,7 +226,7 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
     MovedPart result;
     impulses_.strike(trial.h, moving, impacts_, result.report);
     result.struck = moving.phases;
-    result.forces = impulses_.move(trial.h, theta, moving, result.report);
+    result.forces = impulses_.move(trial.h, theta, moving, free_motions_, result.report);
     project_joints(moving, result.report);
     result.end = std::move(moving.phases);
     return result;

@@ -93,8 +93,9 @@ class TimeStepper : public FixedStepStepper {
   JointProjection joints_;
   ImpulseStep impulses_;
   StepContacts contacts_;
-  PartMemory moved_;      ///< The parts of the tries of one step.
-  ImpactMemory impacts_;  ///< Their impacts.
+  PartMemory moved_;               ///< The parts of the tries of one step.
+  ImpactMemory impacts_;           ///< Their impacts,
+  FreeMotionMemory free_motions_;  ///< and their motions without contacts.
   Executor executor_;
   std::vector<Contact> touching_;     ///< At the end of the last step,
   std::vector<ContactForce> forces_;  ///< and the forces of that step.

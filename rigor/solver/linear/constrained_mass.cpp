@@ -3,9 +3,11 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/work_count.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -91,6 +93,8 @@ void ConstrainedMass::factor(std::span<const Mat6> masses, std::span<const Mat6>
                              const RowChoice* choice) {
   const bool is_new = copy_input(masses, rows);
   if (is_factored_ && !is_new && is_same_choice(choice)) return;
+  constexpr std::uint64_t operations = 20;  // Of a link with all that is asked about one configuration.
+  count_work(operations * graph_.links.size());
   set_active_rows(choice);
   factor_trees();
   for (Loop& loop : loops_) eliminate(loop);

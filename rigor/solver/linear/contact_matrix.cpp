@@ -3,36 +3,12 @@
 #include "rigor/core/index.hpp"
 #include "rigor/solver/linear/two_doubles.hpp"
 
-#include <cmath>
-
 namespace rigor {
 
 using Eigen::Index;
 
-namespace {
-
-double power_near_inverse_root(double x) {
-  return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(x))));
-}
-
-}  // namespace
-
-VecX unknown_scales(const ContactRows& rows) {
-  VecX scales(6 * static_cast<Index>(rows.node_count()));
-  for (std::size_t k = 0; k < rows.node_count(); ++k) {
-    const Mat6& mass = rows.masses[k];
-    const Index first = 6 * static_cast<Index>(k);
-    // Unknowns of mass and inertia near 1, so that one threshold serves all pivots; powers of two round
-    // nothing.
-    scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
-    scales.segment<3>(first + 3).setConstant(
-        power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
-  }
-  return scales;
-}
-
-ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern, double mass_factor)
-    : pattern_(pattern), blocks_(pattern, false), scales_(unknown_scales(rows)) {
+ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPlan& plan, double mass_factor)
+    : pattern_(plan.pattern), blocks_(plan.pattern, false), scales_(plan.scales) {
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const auto S = scales_.segment<6>(6 * static_cast<Index>(k)).asDiagonal();
     masses_.push_back(S * (mass_factor * rows.masses[k]) * S);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "rigor/solver/linear/block_elimination.hpp"
-#include "rigor/solver/linear/contact_rows.hpp"
+#include "rigor/solver/linear/elimination_plan.hpp"
 
 #include <array>
 #include <cstddef>
@@ -17,13 +16,12 @@ namespace rigor {
 /// are S, -S X, -Xᵀ S and Xᵀ S X.
 class ContactMatrix {
  public:
-  /// Holds a reference to the pattern, which is that of the rows.
-  ContactMatrix(const ContactRows& rows, const EliminationPattern& pattern, double mass_factor = 1);
+  /// Holds references to the plan's pattern and scales, which are those of the rows.
+  ContactMatrix(const ContactRows& rows, const EliminationPlan& plan, double mass_factor = 1);
 
   /// Holds a node in all matrices (BlockElimination::hold), in unknowns that are scaled. None of them is to
   /// be symmetric.
   void attach(int node, const NodeAttachment& attachment) { blocks_.attach(node, attachment); }
-  const VecX& scales() const { return scales_; }
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);
   /// x with (M + Σ Jᵀ D J) x = c, after `factor`.
@@ -52,7 +50,7 @@ class ContactMatrix {
 
   const EliminationPattern& pattern_;
   BlockElimination blocks_;
-  VecX scales_;                     ///< One an unknown: powers of two.
+  const VecX& scales_;
   std::vector<Block6> masses_;      ///< By node, scaled.
   std::vector<Rows> rows_;          ///< Of all sides, contact by contact.
   std::vector<std::size_t> first_;  ///< Side of each contact, and the end.
@@ -61,9 +59,5 @@ class ContactMatrix {
   std::vector<int> pair_of_;  ///< One a contact: its pair, or none.
   std::vector<Pair> pairs_;
 };
-
-/// A power of two near 1/√mass for each unknown, so that those of translations and rotations have one unit
-/// and scaling with it rounds nothing: pivots compare them.
-VecX unknown_scales(const ContactRows& rows);
 
 }  // namespace rigor

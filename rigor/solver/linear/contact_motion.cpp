@@ -52,16 +52,13 @@ VecX FactoredMotion::solve(const VecX& g) const {
 }
 
 SparseMotion::SparseMotion(const ContactRows& rows)
-    : rows_(rows),
-      pattern_(elimination_pattern(rows)),
-      diagonal_(contact_diagonal(rows)),
-      matrix_(rows_, pattern_) {}
+    : rows_(rows), plan_(elimination_plan(rows)), diagonal_(contact_diagonal(rows)), matrix_(rows_, plan_) {}
 
 void SparseMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
   if (matrix_.is_possible())
     matrix_.factor(D, symmetry == Symmetry::positive);
   else
-    held_.emplace(NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive));
+    held_.emplace(NodeSystem(rows_, plan_, D, 1.0, symmetry == Symmetry::positive));
 }
 
 VecX SparseMotion::solve(const VecX& g) const {

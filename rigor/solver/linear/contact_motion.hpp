@@ -78,7 +78,7 @@ class SparseMotion : public ContactMotion {
   explicit SparseMotion(const ContactRows& rows);
   SparseMotion(const SparseMotion&) = delete;
   SparseMotion& operator=(const SparseMotion&) = delete;
-  const EliminationPattern& pattern() const { return pattern_; }
+  const EliminationPlan& plan() const { return plan_; }
   using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
       ContactMotion::apply_mass;
   void rates(const VecX& v, VecX& w) const override { contact_rates(rows_, v, w); }
@@ -94,7 +94,7 @@ class SparseMotion : public ContactMotion {
 
  private:
   const ContactRows& rows_;
-  EliminationPattern pattern_;
+  EliminationPlan plan_;
   VecX diagonal_;
   mutable JointedMatrix matrix_;            ///< Of the Newton steps;
   mutable std::optional<NodeSystem> held_;  ///< where that is not possible.

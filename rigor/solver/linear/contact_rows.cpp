@@ -81,9 +81,10 @@ void constrain_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<
   rows.joints = std::move(joints);
   rows.joint_nodes = std::move(nodes);
   // The base is dense: with more nodes it takes longer to work with than the sparse factors of their
-  // equations.
+  // equations, and trees are eliminated without it (JointedMatrix).
   constexpr std::size_t kMostNodesWithBase = 30;
-  if (rows.joints && rows.joint_nodes.size() <= kMostNodesWithBase)
+  if (rows.joints && !rows.joints->forest().loop_links.empty() &&
+      rows.joint_nodes.size() <= kMostNodesWithBase)
     rows.held_motions = rows.joints->motions();
 }
 

@@ -30,7 +30,8 @@ struct ContactRows {
   std::shared_ptr<const ConstrainedMass> joints;  ///< Factored with these masses; none if no node is held.
   std::vector<int> joint_nodes;                   ///< The node of each node of `joints`.
   /// Columns N: a base of the motions of the joint nodes (6 rows each) that the joints allow, with G N = 0
-  /// and Nᵀ M N = 1. Empty where these nodes are many: then their equations are worked with.
+  /// and Nᵀ M N = 1. Empty where these nodes are many or no joints close loops: then their equations are
+  /// worked with.
   MatX held_motions;
 
   std::size_t node_count() const { return masses.size(); }

@@ -38,9 +38,10 @@ JointTies joint_ties(const ContactRows& rows) {
     if (node.link < 0 || counting[at(node.link)].empty()) continue;
     JointTies::Tie tie;
     const std::vector<int>& nodes = graph.links[at(node.link)].nodes;
+    tie.rows = static_cast<int>(counting[at(node.link)].size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       tie.nodes.push_back(node_of(nodes[k]));
-      MatX& wrenches = tie.wrenches.emplace_back(6, counting[at(node.link)].size());
+      Mat6& wrenches = tie.wrenches.emplace_back(Mat6::Zero());
       Index column = 0;
       for (const int row : counting[at(node.link)])
         wrenches.col(column++) = joints.block(node.link, k).row(row).transpose();

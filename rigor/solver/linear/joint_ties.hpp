@@ -13,7 +13,8 @@ namespace rigor {
 struct JointTies {
   struct Tie {
     std::vector<int> nodes;      ///< One or two.
-    std::vector<MatX> wrenches;  ///< One a node: a column of six numbers a row.
+    std::vector<Mat6> wrenches;  ///< One a node: a column a row, then zeros.
+    int rows = 0;                ///< Six at most.
   };
   /// Coefficients of a row on its nodes.
   using LoopRow = std::vector<std::pair<int, Vec6>>;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "rigor/solver/linear/contact_matrix.hpp"
-#include "rigor/solver/linear/joint_ties.hpp"
 
 #include <Eigen/LU>
 
@@ -14,24 +13,20 @@ namespace rigor {
 /// in proportion to the nodes; the rows that close loops, independent and few, border the matrix.
 class JointedMatrix {
  public:
-  /// With a share of the masses. Holds references to the rows and the pattern, which is that of the rows.
-  JointedMatrix(const ContactRows& rows, const EliminationPattern& pattern, double mass_factor = 1);
+  /// With a share of the masses. Holds a reference to the plan, which is that of the rows.
+  JointedMatrix(const ContactRows& rows, const EliminationPlan& plan, double mass_factor = 1);
 
   /// Whether it can be done so: each tie holds its node by itself, and the rows of loops are few.
-  bool is_possible() const { return is_possible_; }
-  bool has_loops() const { return C_T_.cols() > 0; }
+  bool is_possible() const { return plan_.is_possible; }
+  bool has_loops() const { return plan_.loop_rows_T.cols() > 0; }
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);
   /// The x that the joints allow with (M + Σ Jᵀ D J) x = c but for a reaction of the joints.
   VecX solve(const VecX& c) const;
 
  private:
-  bool attach(const EliminationPattern& pattern, const JointTies::Tie& tie);
-
+  const EliminationPlan& plan_;
   ContactMatrix matrix_;
-  bool is_possible_ = true;
-  bool is_held_;
-  MatX C_T_;                          ///< Columns: the rows of loops.
   MatX response_;                     ///< Of the matrix without them to these.
   Eigen::PartialPivLU<MatX> border_;  ///< Of C times the response.
 };

@@ -1,8 +1,6 @@
 #include "rigor/solver/linear/node_system.hpp"
 
 #include "rigor/core/index.hpp"
-#include "rigor/solver/linear/contact_matrix.hpp"
-#include "rigor/solver/linear/joint_ties.hpp"
 #include "rigor/solver/linear/jointed_matrix.hpp"
 
 #include <Eigen/SparseLU>
@@ -81,38 +79,23 @@ struct NodeSystem::Factors {
   enum class Form { dense_cholesky, dense_lu, lu } form = Form::dense_cholesky;
 };
 
-EliminationPattern elimination_pattern(const ContactRows& rows) {
-  std::vector<std::pair<int, int>> pairs;
-  for (const ContactRows::Sides& sides : rows.contacts)
-    for (std::size_t a = 0; a < sides.size(); ++a)
-      for (std::size_t b = a + 1; b < sides.size(); ++b)
-        if (sides[a].node >= 0 && sides[b].node >= 0 && sides[a].node != sides[b].node)
-          pairs.emplace_back(sides[a].node, sides[b].node);
-  const JointTies ties = joint_ties(rows);
-  if (ties.ties.empty()) return {rows.node_count(), pairs};
-  for (const JointTies::Tie& tie : ties.ties)
-    if (tie.nodes.size() == 2) pairs.emplace_back(tie.nodes[0], tie.nodes[1]);
-  return {places_of_tied_nodes(rows.node_count(), pairs, ties.ties), pairs};
-}
-
 NodeSystem::NodeSystem(NodeSystem&& other) noexcept = default;
 NodeSystem::~NodeSystem() = default;
 
-NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& pattern, const std::vector<Mat3>& D,
+NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPlan& plan, const std::vector<Mat3>& D,
                        double mass_factor, bool is_symmetric)
-    : rows_(rows), factors_(std::make_unique<Factors>()) {
+    : rows_(rows), scales_(plan.scales), factors_(std::make_unique<Factors>()) {
   if (!rows.joints) {
-    is_regular_ = factor_blocks(pattern, D, mass_factor, is_symmetric);
+    is_regular_ = factor_blocks(plan, D, mass_factor, is_symmetric);
     return;
   }
   // A border of loops loses digits where little of the masses is left: to forces of least norm 6e-9 of them.
-  JointedMatrix& jointed = factors_->jointed.emplace(rows, pattern, mass_factor);
+  JointedMatrix& jointed = factors_->jointed.emplace(rows, plan, mass_factor);
   if (jointed.is_possible() && !jointed.has_loops()) {
     is_regular_ = jointed.factor(D, is_symmetric);
     return;
   }
   factors_->jointed.reset();
-  scales_ = unknown_scales(rows);
 
   // On the base of the motions that joints allow, where it is small enough for dense factors.
   if (rows.has_held_motions()) {
@@ -165,12 +148,12 @@ NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& patter
   is_regular_ = factors_->factor_sparse(matrix);
 }
 
-bool NodeSystem::factor_blocks(const EliminationPattern& pattern, const std::vector<Mat3>& D,
-                               double mass_factor, bool is_symmetric) {
-  BlockElimination& blocks = factors_->blocks.emplace(pattern, is_symmetric);
+bool NodeSystem::factor_blocks(const EliminationPlan& plan, const std::vector<Mat3>& D, double mass_factor,
+                               bool is_symmetric) {
+  BlockElimination& blocks = factors_->blocks.emplace(plan.pattern, is_symmetric);
   assemble(rows_, D, mass_factor, is_symmetric,
            [&](int row, int column, const Block6& block) { blocks.add(row, column, block); });
-  return blocks.factor(unknown_scales(rows_));
+  return blocks.factor(scales_);
 }
 
 void NodeSystem::find_places() {

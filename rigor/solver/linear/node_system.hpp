@@ -1,16 +1,11 @@
 #pragma once
 
-#include "rigor/solver/linear/block_elimination.hpp"
-#include "rigor/solver/linear/contact_rows.hpp"
+#include "rigor/solver/linear/elimination_plan.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace rigor {
-
-/// Which nodes share contacts or ties of joints, in an order that takes trees of joints from their leaves to
-/// their roots.
-EliminationPattern elimination_pattern(const ContactRows& rows);
 
 /// Linear systems over nodes of six unknowns, with a block wherever two nodes share a contact:
 ///
@@ -26,8 +21,8 @@ EliminationPattern elimination_pattern(const ContactRows& rows);
 class NodeSystem {
  public:
   /// One 3 × 3 matrix D per contact. Symmetric: all D are, and are positive semidefinite. Holds references
-  /// to the rows and to the pattern, which is that of the rows and serves all systems of them.
-  NodeSystem(const ContactRows& rows, const EliminationPattern& pattern, const std::vector<Mat3>& D,
+  /// to the rows and to the plan, which is that of the rows and serves all systems of them.
+  NodeSystem(const ContactRows& rows, const EliminationPlan& plan, const std::vector<Mat3>& D,
              double mass_factor, bool is_symmetric);
   NodeSystem(NodeSystem&& other) noexcept;
   ~NodeSystem();
@@ -36,14 +31,14 @@ class NodeSystem {
   VecX solve(const VecX& c) const;
 
  private:
-  bool factor_blocks(const EliminationPattern& pattern, const std::vector<Mat3>& D, double mass_factor,
+  bool factor_blocks(const EliminationPlan& plan, const std::vector<Mat3>& D, double mass_factor,
                      bool is_symmetric);
   struct Factors;  ///< Of the matrix: kept apart, since Eigen's sparse templates take long to compile.
   void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
   void find_places();
 
   const ContactRows& rows_;
-  VecX scales_;  ///< Of the nodes' unknowns.
+  const VecX& scales_;  ///< Of the nodes' unknowns.
   bool is_regular_ = true;
   /// First unknown of each node if there is a base of held motions; of held nodes their first row in it.
   std::vector<Eigen::Index> places_;

@@ -26,10 +26,10 @@ Vec3 generator_of(double mu, const Vec2& slip) {
 
 }  // namespace
 
-MotionModesSystem::MotionModesSystem(const MotionProblem& problem, const EliminationPattern& pattern,
+MotionModesSystem::MotionModesSystem(const MotionProblem& problem, const EliminationPlan& plan,
                                      const ContactModes& modes)
     : problem_(problem),
-      pattern_(pattern),
+      plan_(plan),
       modes_(modes.modes),
       generators_(modes.modes.size(), Vec3::Zero()),
       lambda_(VecX::Zero(problem.laws.b.size())),
@@ -91,12 +91,12 @@ void MotionModesSystem::iterate() {
   }
   miss_ = std::numeric_limits<double>::infinity();
   for (const double regular : {kRegular, kLessRegular}) {
-    const NodeSystem to_forces(problem_.rows, pattern_, forces, regular * scale_, true);
+    const NodeSystem to_forces(problem_.rows, plan_, forces, regular * scale_, true);
     if (!to_forces.is_regular()) return;
     if (is_symmetric) {
       refine(to_forces, to_forces);
     } else {
-      const NodeSystem to_motion(problem_.rows, pattern_, equations, regular * scale_, false);
+      const NodeSystem to_motion(problem_.rows, plan_, equations, regular * scale_, false);
       if (to_motion.is_regular()) refine(to_motion, to_forces);
     }
     if (is_exact()) return;
@@ -182,8 +182,8 @@ std::optional<VecX> MotionModesSystem::find_in_cones(int patience) const {
 
     // Newton's direction; the matrix is made regular by a little that vanishes with the error.
     const double softening = scale_ * (1e-3 * std::min(1e-3, error) + kLessRegular);
-    const NodeSystem hessian(
-        rows, pattern_, projection_weights(restrict_to_forces(contact_rates(rows, at.z))), softening, true);
+    const NodeSystem hessian(rows, plan_, projection_weights(restrict_to_forces(contact_rates(rows, at.z))),
+                             softening, true);
     if (!hessian.is_regular()) return std::nullopt;
     const VecX direction = -hessian.solve(at.gradient);
     const double slope = at.gradient.dot(direction);

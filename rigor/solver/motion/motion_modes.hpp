@@ -28,9 +28,8 @@ struct MotionProblem {
 /// the joints bear.
 class MotionModesSystem {
  public:
-  /// Holds references to the problem and to the pattern of its rows.
-  MotionModesSystem(const MotionProblem& problem, const EliminationPattern& pattern,
-                    const ContactModes& modes);
+  /// Holds references to the problem and to the plan of its rows.
+  MotionModesSystem(const MotionProblem& problem, const EliminationPlan& plan, const ContactModes& modes);
 
   /// λ (3n) of least norm.
   const VecX& least_norm() const { return lambda_; }
@@ -59,7 +58,7 @@ class MotionModesSystem {
   void refine(const NodeSystem& to_motion, const NodeSystem& to_forces);
 
   const MotionProblem& problem_;
-  const EliminationPattern& pattern_;
+  const EliminationPlan& plan_;
   std::vector<ContactMode> modes_;
   std::vector<Vec3> generators_;  ///< Of the contacts that slide: unit.
   double scale_ = 0;              ///< Largest diagonal entry of A without joints.

@@ -193,7 +193,7 @@ class MotionSolver {
   }
 
   std::optional<CoulombSolution> forces_of(const ContactModes& modes) const {
-    const std::optional<VecX> forces = MotionModesSystem(problem_, motion_.pattern(), modes).find_in_cones();
+    const std::optional<VecX> forces = MotionModesSystem(problem_, motion_.plan(), modes).find_in_cones();
     if (!forces) return std::nullopt;
     return solution_of(*forces, modes.modes);
   }
@@ -206,7 +206,7 @@ class MotionSolver {
     std::set<std::vector<ContactMode>> visited;
     for (int move = 0; move < most_moves && visited.insert(guess.modes.modes).second; ++move) {
       poll_interrupt();
-      const MotionModesSystem system(problem_, motion_.pattern(), guess.modes);
+      const MotionModesSystem system(problem_, motion_.plan(), guess.modes);
       const std::optional<VecX> forces = system.find_in_cones(options_.least_norm ? kPatience : kImpatience);
       // Forces for the modes, with their slips followed if these are unknown; they are the solution if the
       // law holds for them.
