@@ -111,7 +111,7 @@ void SimulationEngine::use(ModelChanges changes, std::vector<BodyLoad> loads) {
   loads_ = std::move(loads);
   is_as_left_ = false;
   // Some steppers are dear to make; only where bodies are led it is another one.
-  const bool are_led = !changes.leads.empty() || !applied_.leads.empty();
+  const bool are_led = !changes.kinematic_motions.empty() || !applied_.kinematic_motions.empty();
   if (!stepper_ || is_other_scheme || are_led || !stepper_->follow(model_)) make_stepper_anew();
   if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
 }
