@@ -6,6 +6,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/thickness.hpp"
+#include "rigor/geometry/motion/separation_bound.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
