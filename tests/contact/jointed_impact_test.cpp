@@ -1,62 +1,27 @@
 #include "rigor/contact/impact/impact_problem.hpp"
 #include "rigor/contact/impact/reflections.hpp"
 
+#include "jointed_row.hpp"
 #include "random_vectors.hpp"
-#include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace rigor::jointed_impact_test {
 namespace {
 
-/// A row of boxes of edge 1 on the floor, 1.5 m apart, with ball joints between them, that fall and spin at
-/// random.
+/// The row with ball joints falls and spins at random.
 ContactSystem falling_row(int boxes, test::Random& random) {
-  ModelBuilder builder;
-  builder.add_material({"m", 1, 0.4, 0});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  for (int i = 0; i < boxes; ++i) {
-    BodyDescription box;
-    box.name = "box" + std::to_string(i);
-    box.p_WU = Vec3(1.5 * i, 0, 0.5);
-    box.shapes.push_back({Box{Vec3(0.5, 0.5, 0.5)}, Vec3::Zero(), Quat::Identity(), "m", ""});
-    builder.add_body(box);
-    if (i == 0) continue;
-    ModelBuilder::JointDescription joint;
-    joint.name = "joint" + std::to_string(i);
-    joint.type = JointType::ball;
-    joint.bodies = {"box" + std::to_string(i - 1), "box" + std::to_string(i)};
-    joint.anchors = {Vec3(1.5 * i - 0.75, 0, 0.5)};
-    builder.add_joint(joint);
-  }
-  const std::shared_ptr<const Model> model = builder.build();
-
-  // All stand on the floor by their four corners.
-  std::vector<int> bodies = {0}, joints;
-  std::vector<BodyKinetics> kinetics = {BodyKinetics{}};
-  std::vector<Contact> contacts;
-  for (int i = 0; i < boxes; ++i) {
-    const Body& body = model->body(i + 1);
-    const BodyPhase phase{Vec3(1.5 * i, 0, 0.5), body.q_WB, random.vector() - Vec3(0, 0, 1),
-                          0.1 * random.vector()};
-    bodies.push_back(i + 1);
-    kinetics.push_back(dynamic_kinetics(body, phase));
-    if (i > 0) joints.push_back(i - 1);
-    for (const Contact& contact :
-         find_contacts(*model, 0, i + 1, kinetics[0].pose(), kinetics.back().pose(), 1e-6))
-      contacts.push_back(contact);
-  }
-  const auto equations = std::make_shared<JointSystem>(*model, joints, bodies, kinetics);
-  return make_contact_system(*model, std::move(contacts), bodies, kinetics, equations);
+  ModelBuilder::JointDescription joint;
+  joint.type = JointType::ball;
+  return test::jointed_row(boxes, joint,
+                           [&random] {
+                             const Vec3 P = random.vector() - Vec3(0, 0, 1);
+                             return std::pair<Vec3, Vec3>(P, 0.1 * random.vector());
+                           })
+      .system;
 }
 
 double residual_of(const ImpactProblem& problem, const CoulombSolution& solution) {

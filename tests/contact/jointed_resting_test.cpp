@@ -1,12 +1,12 @@
-#include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/resting.hpp"
-#include "rigor/model/model_builder.hpp"
 
+#include "jointed_row.hpp"
 #include "random_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace rigor::jointed_resting_test {
 namespace {
@@ -19,53 +19,17 @@ struct Scene {
   std::vector<Wrench> wrenches;
 };
 
-/// Boxes of edge 1 in a row on the floor, 1.5 m apart, with hinges about y between them whose axes are as
-/// given; their stops are contacts too.
+/// A row at rest with hinges about y whose axes are as given.
 Scene hinged_boxes(int boxes, const JointAxis& axis) {
-  ModelBuilder builder;
-  builder.set_gravity(Vec3(0, 0, -g));
-  builder.add_material({"m", 1, 0.4, 0});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  for (int i = 0; i < boxes; ++i) {
-    BodyDescription box;
-    box.name = "box" + std::to_string(i);
-    box.p_WU = Vec3(1.5 * i, 0, 0.5);
-    box.shapes.push_back({Box{Vec3(0.5, 0.5, 0.5)}, Vec3::Zero(), Quat::Identity(), "m", ""});
-    builder.add_body(box);
-    if (i == 0) continue;
-    ModelBuilder::JointDescription joint;
-    joint.name = "hinge" + std::to_string(i);
-    joint.type = JointType::hinge;
-    joint.bodies = {"box" + std::to_string(i - 1), "box" + std::to_string(i)};
-    joint.anchors = {Vec3(1.5 * i - 0.75, 0, 0.5)};
-    joint.axis = Vec3::UnitY();
-    joint.axes = {axis};
-    builder.add_joint(joint);
-  }
-  Scene scene{builder.build(), {}, {}};
-  std::vector<int> bodies = {0}, joints;
-  std::vector<BodyKinetics> kinetics = {BodyKinetics{}};
-  std::vector<Contact> contacts;
-  for (int i = 0; i < boxes; ++i) {
-    const Body& body = scene.model->body(i + 1);
-    const BodyPhase phase{Vec3(1.5 * i, 0, 0.5), body.q_WB, Vec3::Zero(), Vec3::Zero()};
-    bodies.push_back(i + 1);
-    kinetics.push_back(dynamic_kinetics(body, phase));
-    if (i > 0) joints.push_back(i - 1);
-    for (const Contact& contact :
-         find_contacts(*scene.model, 0, i + 1, kinetics[0].pose(), kinetics.back().pose(), 1e-6))
-      contacts.push_back(contact);
-  }
-  for (const Contact& stop : joint_stops(*scene.model, joints, bodies, kinetics, 1e-6))
-    contacts.push_back(stop);
-  scene.system = make_contact_system(*scene.model, contacts, bodies, kinetics,
-                                     std::make_shared<JointSystem>(*scene.model, joints, bodies, kinetics));
-  scene.wrenches.resize(bodies.size());
-  for (std::size_t i = 1; i < bodies.size(); ++i)
+  ModelBuilder::JointDescription joint;
+  joint.type = JointType::hinge;
+  joint.axis = Vec3::UnitY();
+  joint.axes = {axis};
+  test::JointedRow row =
+      test::jointed_row(boxes, joint, [] { return std::pair<Vec3, Vec3>(Vec3::Zero(), Vec3::Zero()); });
+  Scene scene{std::move(row.model), std::move(row.system), {}};
+  scene.wrenches.resize(scene.system.kinetics.size());
+  for (std::size_t i = 1; i < scene.wrenches.size(); ++i)
     scene.wrenches[i].f_W = Vec3(0, 0, -g / scene.system.kinetics[i].inverse_mass);
   return scene;
 }
