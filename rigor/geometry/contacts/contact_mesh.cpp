@@ -256,7 +256,7 @@ class FacetContacts {
     if (contacts_.empty() || !nearest_blocked_) return;
     const auto is_deeper = [](const auto& x, const auto& y) { return x.first.gap < y.first.gap; };
     const double deepest = std::ranges::min_element(contacts_, is_deeper)->first.gap;
-    if (nearest_blocked_->gap >= deepest - tolerance_) return;
+    if (nearest_blocked_->gap >= std::min(deepest, 0.0) - merge_) return;
     contacts_.push_back({*nearest_blocked_, 0});
     contacts_.back().first.degenerate = true;
   }

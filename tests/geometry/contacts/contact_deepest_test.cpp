@@ -101,11 +101,16 @@ TEST(DeepestContact, IsInTheSetOfAShapeThatFallsOverOnRoughGround) {
       const double distance = deepest_triangle(ground, shape, X_later);
       if (distance > 0) continue;
       ++overlapping;
-      const double deepest = deepest_gap(contact_set(ground, Pose{}, shape, X_later, kTolerance));
-      EXPECT_LE(deepest, distance + kTolerance) << "ground " << k << ", rotation " << i;
       // No point has moved farther than this, so that none is deeper.
       const double reach = radius_about(shape, X.R.transpose() * (first.p_WA - X.p));
-      EXPECT_GE(deepest, -angle * reach - kTolerance) << "ground " << k << ", rotation " << i;
+      // Steps ask for all contacts within their reach.
+      for (const double tolerance : {kTolerance, 1e-4, 1e-2}) {
+        const double deepest = deepest_gap(contact_set(ground, Pose{}, shape, X_later, tolerance));
+        EXPECT_LE(deepest, distance + kTolerance)
+            << "ground " << k << ", rotation " << i << ", tolerance " << tolerance;
+        EXPECT_GE(deepest, -angle * reach - kTolerance)
+            << "ground " << k << ", rotation " << i << ", tolerance " << tolerance;
+      }
     }
   }
   EXPECT_GT(overlapping, 200);
@@ -147,6 +152,27 @@ TEST(DeepestContact, OfABoxOnARidgeIsNotBelowTheNextValley) {
   const std::vector<ContactPoint> contacts = contact_set(ground, Pose{}, box, X, kTolerance);
   ASSERT_FALSE(contacts.empty());
   EXPECT_GE(deepest_gap(contacts), -kTolerance);
+}
+
+TEST(DeepestContact, OfARimOnARidgeIsThereWithinAnyReach) {
+  // A rim of the cylinder overlaps a ridge by 2 mm; another one touches a face half a metre away.
+  const HeightField field{.rows = {{0.2111, 0.1780, 0.1330, 0.0428, 0.2505, 0.1240, 0.2920},
+                                   {0.2036, 0.4114, 0.2673, 0.2339, 0.2232, 0.4432, 0.1369},
+                                   {0.5571, 0.2554, 0.3177, 0.5055, 0.5018, 0.4159, 0.3995},
+                                   {0.3995, 0.4911, 0.4198, 0.6825, 0.3716, 0.4339, 0.5810},
+                                   {0.7338, 0.5617, 0.6979, 0.7231, 0.5733, 0.4847, 0.7907},
+                                   {0.9495, 0.6416, 0.7534, 0.8184, 0.7020, 0.8872, 0.8722},
+                                   {0.9946, 0.8671, 0.7719, 0.8269, 0.9152, 0.8148, 0.9236}},
+                          .size = {3, 3},
+                          .base_depth = 0.3};
+  const Mesh ground = test::as_mesh(make_height_field_mesh(field));
+  const Cylinder cylinder{0.165171894, 0.5 * 0.140272247};
+  const Eigen::Quaterniond q(0.8168901434073067, 0.0930057962752037, 0.0787824663983318, -0.5637674506845893);
+  const Pose X{q.toRotationMatrix(), Vec3(0.88366224608139654, 0.20715177772514384, 0.56006477164597179)};
+  const double distance = deepest_triangle(ground, cylinder, X);
+  EXPECT_LT(distance, -1e-4);
+  for (const double tolerance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
+    EXPECT_LE(deepest_gap(contact_set(ground, Pose{}, cylinder, X, tolerance)), distance + 1e-9) << tolerance;
 }
 
 /// A valley along y between two slopes, its bottom the y axis; the slopes are the angles of its sides.
