@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace rigor::force_rates_test {
 namespace {
@@ -42,6 +44,63 @@ TEST(ForceRates, AreTwiceTheStiffnessOverTheMassOfASingleSpring) {
   const PenaltyRates none = rates_of(ball_on_a_spring(0, 0));
   EXPECT_EQ(none.frequency, 0);
   EXPECT_EQ(none.damping, 0);
+}
+
+/// Two rods of 0.1 kg in a row with a hinge between them that damps; the second one rotates.
+std::shared_ptr<const Model> damped_rods(double stiffness, double damping) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_material({"m", 1000, 0, 0});
+  for (int i = 0; i < 2; ++i) {
+    BodyDescription rod =
+        test::stepping_body("rod" + std::to_string(i), Box{Vec3(0.05, 0.01, 0.01)}, Vec3(0.1 * i, 0, 0));
+    rod.mass = 0.1;
+    rod.angular_velocity = Vec3(0, 0, i);
+    rod.velocity = Vec3(0, 0.05 * i, 0);
+    builder.add_body(rod);
+  }
+  ModelBuilder::JointDescription hinge;
+  hinge.name = "hinge";
+  hinge.type = JointType::hinge;
+  hinge.bodies = {"rod0", "rod1"};
+  hinge.anchors = {Vec3(0.05, 0, 0)};
+  hinge.axis = Vec3::UnitZ();
+  hinge.axes = {JointAxis{}};
+  hinge.axes[0].stiffness = stiffness;
+  hinge.axes[0].damping = damping;
+  builder.add_joint(hinge);
+  return builder.build();
+}
+
+TEST(ForceRates, OfAHingeFollowFromTheMomentsAboutItsAxis) {
+  const double moment = 0.1 / 3 * (0.05 * 0.05 + 0.01 * 0.01);
+  const std::shared_ptr<const Model> model = damped_rods(7, 0.3);
+  const PenaltyRates rates = rates_of_forces(*model, Environment(*model), 0.01);
+  EXPECT_NEAR(rates.frequency, std::sqrt(2 * 7 / moment), 1e-9 * rates.frequency);
+  EXPECT_NEAR(rates.damping, 2 * 0.3 / moment, 1e-9 * rates.damping);
+}
+
+TEST(ForceRates, KeepStiffJointsStableUnderPenaltyAtLongSteps) {
+  // Rates of c/I = 3500 /s and √(k/I) = 340 /s against steps of 0.01 s.
+  for (const auto& [stiffness, damping] : {std::pair(0.0, 0.3), std::pair(10.0, 0.0)}) {
+    const std::shared_ptr<const Model> model = damped_rods(stiffness, damping);
+    const Environment environment(*model);
+    Method method;
+    method.scheme = Scheme::penalty;
+    State state = make_initial_state(*model);
+    const std::unique_ptr<Stepper> stepper = make_stepper(model, method, 0.01);
+    const double before = mechanical_energy(*model, environment, state).total();
+    for (int k = 1; k <= 10; ++k) {
+      EXPECT_EQ(stepper->advance(state, 0.02 * k).reason, StopReason::reached_end);
+      // What swings is off by (ω h)²/4 of its energy at most.
+      EXPECT_LE(mechanical_energy(*model, environment, state).total(), before * (1 + 0.25 * 0.05 * 0.05))
+          << k;
+    }
+    const double after = mechanical_energy(*model, environment, state).total();
+    if (damping > 0) {
+      EXPECT_LT(after, 0.9 * before);
+    }
+  }
 }
 
 TEST(ForceRates, KeepAStiffSpringStableUnderPenaltyAtLongSteps) {
