@@ -77,7 +77,7 @@ if [ "$mode" = package ]; then
   quiet cmake --build "$work/examples"
   for example in "$source"/examples/*.cpp; do quiet "$work/examples/$(basename "$example" .cpp)"; done
 fi
-if ldd "$work/app/build-ON/app" | grep -qE 'hdf5|yaml|tbb|png'; then
+if ldd "$work/app/build-ON/app" | grep -E 'hdf5|yaml|tbb|png' >/dev/null; then
   echo "the component geometry brings other libraries"; exit 1
 fi
 

@@ -12,7 +12,8 @@ trap 'rm -rf "$work"' EXIT
 
 for library in rigor rigor_geometry; do
   file=$folder/lib$library.so
-  objdump -p "$file" | grep -q "SONAME *lib$library.so.$version$" || { echo "$file: no version in its name"; exit 1; }
+  # Not `grep -q`: what writes to it must be able to end, for it counts (pipefail).
+  objdump -p "$file" | grep "SONAME *lib$library.so.$version$" >/dev/null || { echo "$file: no version in its name"; exit 1; }
   # All that it defines for others has the version.
   symbols=$(nm -D --defined-only "$file")
   bare=$(grep -v "@@RIGOR_$version$" <<<"$symbols" | grep -cv " A RIGOR_$version" || true)
@@ -29,8 +30,8 @@ build() { # example, libraries...
 }
 build hello_bounce -lrigor -lrigor_geometry
 build geometry_only -lrigor_geometry
-ldd "$work/hello_bounce" | grep -q "librigor.so.$version => $folder" || { echo "not linked with the shared library"; exit 1; }
-if ldd "$work/geometry_only" | grep -qE 'hdf5|yaml|tbb|png'; then
+ldd "$work/hello_bounce" | grep "librigor.so.$version => $folder" >/dev/null || { echo "not linked with the shared library"; exit 1; }
+if ldd "$work/geometry_only" | grep -E 'hdf5|yaml|tbb|png' >/dev/null; then
   echo "the shared geometry brings other libraries"; exit 1
 fi
 echo "shared: names, versions of $(nm -D --defined-only "$folder/librigor.so" | wc -l) symbols, two programs"
