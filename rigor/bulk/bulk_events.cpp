@@ -62,21 +62,22 @@ std::vector<ContactEvent> contact_events(const ManifoldMemories& before, const M
 
 namespace {
 
-BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& key,
+BulkContact read_contact(const SolvedManifold& manifold, const StepManifolds& manifolds, std::size_t number,
                          const BulkBodies& bodies) {
-  const std::size_t a = at(key.body_A);
+  const ShapePair& pair = manifolds.pair(number);
+  const std::size_t a = at(pair.body_A);
   const ManifoldFrame& frame = manifold.frame;
   const float* moved = bodies.motion[a].dp;
   BulkContact contact;
-  contact.body_A = key.body_A, contact.body_B = key.body_B;
-  contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
-  contact.part = key.part;
+  contact.body_A = pair.body_A, contact.body_B = pair.body_B;
+  contact.shape_A = pair.shape_A, contact.shape_B = pair.shape_B;
+  contact.part = manifolds.part(number);
   contact.n_W = frame.n;
   // Places are those of the beginning of the step, when the contact was found; bodies have moved since.
   contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + found_arm(manifold, bodies);
-  contact.point_count = key.point_count;
+  contact.point_count = manifolds.point_count(number);
   // Points, with the impulses that they had in the whole step.
-  for (std::size_t k = 0; k < at(key.point_count); ++k) {
+  for (std::size_t k = 0; k < at(contact.point_count); ++k) {
     const SolvedManifold::Point& point = manifold.points[k];
     contact.points[k] = {contact.center_W + point.p1 * frame.t1 + point.p2 * frame.t2, point.gap,
                          manifold.impulses.normal[k]};
@@ -88,18 +89,17 @@ BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& k
   const double r1 = manifold.impulses.roll[0], r2 = manifold.impulses.roll[1];
   contact.friction_moment_W = twist * frame.n + r1 * frame.t1 + r2 * frame.t2;
   contact.approach_speed = approach_speed(manifold);
+  contact.is_new = manifolds.is_new(number);
   return contact;
 }
 
 }  // namespace
 
-std::vector<BulkContact> read_contacts(const BulkContacts& contacts, const BulkBodies& bodies) {
-  std::vector<BulkContact> all;
-  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
-    all.push_back(read_contact(manifold, key, bodies));
-    all.back().is_new = is_new;
+void read_contacts(const BulkContacts& contacts, const BulkBodies& bodies,
+                   const std::function<void(std::size_t, const BulkContact&)>& visit) {
+  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t number) {
+    visit(number, read_contact(manifold, contacts.manifolds(), number, bodies));
   });
-  return all;
 }
 
 std::vector<BulkContact> find_hits(const std::vector<BulkContact>& contacts, double least_speed) {

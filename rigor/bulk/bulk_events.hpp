@@ -4,6 +4,8 @@
 #include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/math/types.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace rigor {
@@ -11,9 +13,10 @@ namespace rigor {
 struct BulkBodies;
 class BulkContacts;
 
-/// The contacts of a step whose impulses were added up, in the order of blocks; `bodies` are as they are at
-/// its end.
-std::vector<BulkContact> read_contacts(const BulkContacts& contacts, const BulkBodies& bodies);
+/// Calls visit(number, contact) for each contact of a step whose impulses were added up, in the order of
+/// blocks. number: its own among the manifolds of the step; `bodies` are as they are at its end.
+void read_contacts(const BulkContacts& contacts, const BulkBodies& bodies,
+                   const std::function<void(std::size_t, const BulkContact&)>& visit);
 
 /// The contacts that began in the step and approached at least at that speed [m/s].
 std::vector<BulkContact> find_hits(const std::vector<BulkContact>& contacts, double least_speed);

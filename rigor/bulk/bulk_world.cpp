@@ -94,19 +94,25 @@ void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
 }
 
 std::vector<BulkContact> BulkWorld::contacts() const {
-  std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
-  // Contacts of islands that were solved directly are in a list of their own; both are put into the order of
-  // keys.
-  const std::vector<BulkContact>& direct = scratch_->direct.contacts();
-  contacts.insert(contacts.end(), direct.begin(), direct.end());
-  // Their places are sorted, since contacts are large.
-  std::vector<std::pair<ContactKey, std::size_t>> places;
-  for (std::size_t i = 0; i < contacts.size(); ++i) places.emplace_back(contacts[i].key(), i);
-  std::sort(places.begin(), places.end());
-  std::vector<BulkContact> sorted;
-  sorted.reserve(contacts.size());
-  for (const auto& [key, place] : places) sorted.push_back(contacts[place]);
-  return sorted;
+  std::vector<BulkContact> contacts(contact_points().size());
+  for_contacts([&](std::size_t number, const BulkContact& contact) { contacts[number] = contact; });
+  std::erase_if(contacts, [](const BulkContact& contact) { return contact.body_A < 0; });
+  return contacts;
+}
+
+std::vector<int> BulkWorld::contact_points() const {
+  const StepManifolds& manifolds = scratch_->contacts.manifolds();
+  std::vector<int> counts(manifolds.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = manifolds.point_count(i);
+  return counts;
+}
+
+void BulkWorld::for_contacts(const std::function<void(std::size_t, const BulkContact&)>& visit) const {
+  read_contacts(scratch_->contacts, bodies_, visit);
+  // Contacts of islands that were solved directly are in a list of their own.
+  const DirectIslands& direct = scratch_->direct;
+  for (std::size_t i = 0; i < direct.contacts().size(); ++i)
+    visit(direct.manifold_of(i), direct.contacts()[i]);
 }
 
 void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {

@@ -93,6 +93,11 @@ class BulkWorld {
   /// All manifolds of the last step in the order of their keys, except those of sleeping bodies, for which
   /// nothing was computed.
   std::vector<BulkContact> contacts() const;
+  /// The same without a list of them: how many points each has, in the order of keys, ...
+  std::vector<int> contact_points() const;
+  /// ... and visit(number, contact) for each whose impulses are known, in any order. number: its own in that
+  /// of keys.
+  void for_contacts(const std::function<void(std::size_t, const BulkContact&)>& visit) const;
   /// The memories of the contacts at the end of the last step, in the order of their keys.
   const ManifoldMemories& memory() const { return memory_; }
 

@@ -103,13 +103,14 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
     return is_new || is_booked(bodies, a) != is_booked(bodies, b) ||
            bodies.is_dynamic(a) != bodies.is_dynamic(b);
   };
-  const auto note = [&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
+  const auto note = [&](const SolvedManifold& manifold, std::size_t number) {
+    const int body_A = manifold.body_A, body_B = manifold.body_B;
     const ManifoldWrench on_B = total_wrench(manifold);
-    if (is_new && approach_speed(manifold) > impact_speed) {
-      const Vec3 p_W = bodies.x[at(key.body_A)] + found_arm(manifold, bodies);
-      report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
+    if (contacts.manifolds().is_new(number) && approach_speed(manifold) > impact_speed) {
+      const Vec3 p_W = bodies.x[at(body_A)] + found_arm(manifold, bodies);
+      report.impacts.push_back({body_A, body_B, p_W, on_B.impulse});
     }
-    book(bodies, key.body_A, key.body_B, on_B.impulse, given);
+    book(bodies, body_A, body_B, on_B.impulse, given);
     report.rounded_momentum += on_B.impulse.norm();
     report.work += work_of_mover(manifold, bodies);
   };

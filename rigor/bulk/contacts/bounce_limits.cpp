@@ -56,7 +56,7 @@ void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>&
   const auto island_of = [&](int body_A, int body_B) {
     return at(islands_.island_of(bodies.is_dynamic(body_A) ? body_A : body_B));
   };
-  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t) {
     lost_[island_of(manifold.body_A, manifold.body_B)] += work_of_mover(manifold, bodies);
   });
 

@@ -69,13 +69,14 @@ class BulkContacts {
   void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
                 ManifoldMemories& memory);
 
-  /// Calls visit(manifold, key, is_new) for each manifold of the step, in the order of blocks, if impulses
-  /// were added up. is_new: it had no impulse at the end of the step before.
+  /// Calls visit(manifold, number) for each manifold of the step, in the order of blocks, if impulses were
+  /// added up. number: its own among manifolds().
   template <class Visit>
   void for_contacts(const Visit& visit) const {
     for_contacts([](int, int, bool) { return true; }, visit);
   }
-  /// The same for those of which is_wanted(body_A, body_B, is_new): the others are not read.
+  /// The same for those of which is_wanted(body_A, body_B, is_new): the others are not read. is_new: it had
+  /// no impulse at the end of the step before.
   template <class IsWanted, class Visit>
   void for_contacts(const IsWanted& is_wanted, const Visit& visit) const {
     if (!blocks_.has_totals()) return;
@@ -84,9 +85,8 @@ class BulkContacts {
         const int manifold = manifold_of(number, lane);
         if (manifold < 0) continue;
         const std::size_t i = at(manifold);
-        const bool is_new = manifolds_.is_new(i);
-        if (is_wanted(manifolds_.body_A(i), manifolds_.body_B(i), is_new))
-          visit(read(block, total, lane, i), manifolds_.key(i), is_new);
+        if (is_wanted(manifolds_.body_A(i), manifolds_.body_B(i), manifolds_.is_new(i)))
+          visit(read(block, total, lane, i), i);
       }
     });
   }

@@ -188,7 +188,7 @@ void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemor
     if (bodies.has_velocity(bodies.is_dynamic(a) ? b : a)) island.is_known = false;
   }
   // What pressed on something fixed in an earlier substep shows in the sums.
-  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t) {
     const bool is_A = bodies.is_dynamic(manifold.body_A);
     if (is_A && bodies.is_dynamic(manifold.body_B)) return;
     IslandGain& island =
@@ -239,7 +239,7 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
     return;
   // D, as momenta first.
   given_.assign(bodies.x.size(), {});
-  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t) {
     const ManifoldWrench on_B = total_wrench(manifold);
     Wrench &A = given_[at(manifold.body_A)], &B = given_[at(manifold.body_B)];
     A.f_W -= on_B.impulse;

@@ -59,6 +59,8 @@ class DirectIslands {
   void finish(BulkBodies& bodies) const;
   /// The contacts of the solved islands, with their impulses.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
+  /// The number of the manifold of one of them among those of the step.
+  std::size_t manifold_of(std::size_t contact) const { return solved_[contact].manifold; }
   /// Writes impulses of one substep into the memories of their manifolds, where they last, and what is left
   /// of the energy of their overlaps, if there is room for it; memory: of all manifolds, in the order of
   /// find().

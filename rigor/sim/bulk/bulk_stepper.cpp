@@ -102,6 +102,14 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
   constexpr double sliding = 0.999;  // Of the limit of friction: impulses are 32-bit numbers.
   std::vector<TouchingPoint> points;
   if (last_step_ == 0) return points;
+  // Contacts come in any order: where the points of each begin, in the order of their bodies.
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const int own : world_->contact_points()) {
+    first.push_back(count);
+    count += at(own);
+  }
+  points.resize(count, {.body_A = -1, .body_B = -1});
   // The velocities of each body once: it may have many contacts.
   std::vector<std::pair<Vec3, Vec3>> motions;
   motions.reserve(at(model_->body_count()));
@@ -111,8 +119,7 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
     const auto& [v, w] = motions[at(body)];
     return Vec3(v + w.cross(p_W - state.position(body)));
   };
-  // Contacts come in the order of their bodies.
-  for (const BulkContact& contact : world_->contacts()) {
+  world_->for_contacts([&](std::size_t number, const BulkContact& contact) {
     const double normal = contact.normal_impulse();
     const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
     const double friction =
@@ -121,11 +128,12 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
     const bool slides = contact.friction_impulse_W.norm() >= sliding * friction * normal;
     for (int k = 0; k < contact.point_count; ++k) {
       const BulkContact::Point& point = contact.points[at(k)];
-      TouchingPoint& own = points.emplace_back(TouchingPoint{.body_A = contact.body_A,
-                                                             .body_B = contact.body_B,
-                                                             .p_W = point.p_W,
-                                                             .n_W = contact.n_W,
-                                                             .gap = point.gap});
+      TouchingPoint& own = points[first[number] + at(k)];
+      own = {.body_A = contact.body_A,
+             .body_B = contact.body_B,
+             .p_W = point.p_W,
+             .n_W = contact.n_W,
+             .gap = point.gap};
       own.u_W = velocity(contact.body_B, point.p_W) - velocity(contact.body_A, point.p_W);
       if (normal <= 0) continue;
       // Friction acts in the middle; each point has the part of it that it presses.
@@ -133,7 +141,8 @@ std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& 
       own.force_W = (point.normal_impulse * contact.n_W + share * contact.friction_impulse_W) / last_step_;
       own.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
     }
-  }
+  });
+  std::erase_if(points, [](const TouchingPoint& point) { return point.body_A < 0; });
   return points;
 }
 
