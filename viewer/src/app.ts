@@ -112,7 +112,9 @@ export class App extends ScenePage<RecordedSource> {
   private head(): HTMLElement {
     const { header } = this.source;
     const method = header.audit.method as Record<string, string> | undefined;
-    const choices = this.sources.length > 1 ? `${this.sources.length} runs` : [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
+    // The many-body path has a law of its own for all but its solver.
+    const chosen = method?.solver === "substep" ? [method.scheme, method.solver] : [method?.scheme, method?.integrator, method?.impact];
+    const choices = this.sources.length > 1 ? `${this.sources.length} runs` : chosen.filter(Boolean).join(" · ");
     return el("header", {},
       el("h1", { text: header.scene }),
       el("span", { class: "about", text: `${choices} · ${header.bodies.length} ${header.bodies.length === 1 ? "body" : "bodies"} · ${this.source.times.length} frames` }),

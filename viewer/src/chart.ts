@@ -9,7 +9,7 @@ export interface Curve {
   color: string;
   times: Float64Array;
   values: ArrayLike<number>;
-  /** That of the values, beside them under the plot: " 10⁻³ J". */
+  /** That of the values, beside them under the plot: " · 10⁻³ J". */
   unit?: string;
   /** [CSS pixels]; 1.6 if not given. */
   width?: number;
@@ -147,17 +147,17 @@ export function scaled(curves: Curve[], power: number): Curve[] {
 
 /** " [10⁻³ J]", or nothing where there is neither. */
 export function unitText(unit: string, power: number): string {
-  const text = valueUnit(unit, power);
-  return text && ` [${text.trim()}]`;
+  const text = [power === 0 ? "" : tenTo(power), unit].filter(Boolean).join(" ");
+  return text && ` [${text}]`;
 }
 
-/** The same beside a value: " 10⁻³ J". */
+/** The same beside a value: " · 10⁻³ J". */
 export function valueUnit(unit: string, power: number): string {
-  return [power === 0 ? "" : ` 10${superscript(power)}`, unit && ` ${unit}`].join("");
+  return [power === 0 ? "" : ` · ${tenTo(power)}`, unit && ` ${unit}`].join("");
 }
 
-function superscript(power: number): string {
-  return String(power).replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(digit)]);
+function tenTo(power: number): string {
+  return "10" + String(power).replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(digit)]);
 }
 
 /** A little room above and below; of a constant some more, of nothing at all from 0 to 1. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { auditRows, auditText, isSound } from "../src/audit_rows";
-import { tableOf, unitText } from "../src/chart";
+import { tableOf, unitText, valueUnit } from "../src/chart";
 import { comparedRows } from "../src/compare_audits";
 import { widest } from "../src/compare_plots";
 import { loadRuns } from "../src/run";
@@ -81,6 +81,8 @@ describe("curves of several runs", () => {
   test("tell their power of ten with the unit", () => {
     expect(unitText("m", -6)).toBe(" [10⁻⁶ m]");
     expect(unitText("", 0)).toBe("");
+    expect(valueUnit("m", -6)).toBe(" · 10⁻⁶ m");
+    expect(valueUnit("m", 0)).toBe(" m");
   });
 
   test("the coordinate in which a body moves most is found", () => {

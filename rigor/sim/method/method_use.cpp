@@ -31,8 +31,10 @@ constexpr std::array<ChoiceUse, 10> choice_uses = {{
 }  // namespace
 
 bool uses_choice(const Method& method, std::string_view key) {
-  if (key == "sleeping" && method.scheme != Scheme::automatic)
-    return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+  // The many-body path has one way for all else.
+  const bool is_bulk = method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+  if (is_bulk) return key == "scheme" || key == "solver" || key == "sleeping";
+  if (key == "sleeping") return method.scheme == Scheme::automatic;
   if (key == "last_resort") return method.scheme == Scheme::automatic;
   if (key == "micro_collisions" && method.scheme != Scheme::automatic)
     return method.scheme == Scheme::impulse_based;

@@ -7,14 +7,17 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <utility>
+
 namespace rigor::method_use_test {
 namespace {
 
-class ChoicesOfAScheme : public testing::TestWithParam<Scheme> {
+class ChoicesOfAScheme : public testing::TestWithParam<std::pair<Scheme, SolverMethod>> {
  protected:
   Method method() const {
     Method method;
-    method.scheme = GetParam();
+    std::tie(method.scheme, method.solver) = GetParam();
     return method;
   }
 
@@ -51,8 +54,12 @@ TEST_P(ChoicesOfAScheme, ThatItDoesNotLookAtChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, ChoicesOfAScheme,
-                         testing::Values(Scheme::event_driven, Scheme::time_stepping, Scheme::penalty,
-                                         Scheme::impulse_based, Scheme::hybrid));
+                         testing::Values(std::pair(Scheme::event_driven, Method().solver),
+                                         std::pair(Scheme::time_stepping, Method().solver),
+                                         std::pair(Scheme::time_stepping, SolverMethod::substep),
+                                         std::pair(Scheme::penalty, Method().solver),
+                                         std::pair(Scheme::impulse_based, Method().solver),
+                                         std::pair(Scheme::hybrid, Method().solver)));
 
 TEST(MethodUse, EachFamilyHasItsOwn) {
   Method method;
@@ -73,6 +80,10 @@ TEST(MethodUse, EachFamilyHasItsOwn) {
   for (const Scheme scheme : {Scheme::time_stepping, Scheme::penalty, Scheme::hybrid})
     EXPECT_TRUE(used_by(scheme, "integrator"));
   EXPECT_TRUE(used_by(Scheme::automatic, "penalty"));
+  EXPECT_TRUE(used_by(Scheme::time_stepping, "impact"));
+  method.solver = SolverMethod::substep;
+  EXPECT_FALSE(used_by(Scheme::time_stepping, "impact"));
+  EXPECT_TRUE(used_by(Scheme::time_stepping, "sleeping"));
 }
 
 TEST(MethodUse, AnotherValueOfALawThatIsUsedIsAnotherMotion) {
