@@ -1,6 +1,6 @@
 import { auditRows, auditText, auditWarnings, isSound } from "./audit_rows";
 import { el } from "./dom";
-import { runColor, runNames, shortNames } from "./run_choice";
+import { runColor, runNames, shortNames } from "./run_names";
 import type { RecordedSource } from "./source";
 
 /** A line of the audits side by side: one value a run. */

@@ -1,7 +1,8 @@
 import { Charts, powerOf, scaled, unitText, valueUnit, type Curve } from "./chart";
 import { el } from "./dom";
 import { bodyCurves, bodyQuantities, column, totalEnergy } from "./plots";
-import { runColor, runNames, shortNames, type Chosen } from "./run_choice";
+import type { Chosen } from "./run_choice";
+import { runColor, runNames, shortNames } from "./run_names";
 import type { RecordedSource } from "./source";
 
 interface ComparePlot {

@@ -1,7 +1,7 @@
 import { el } from "./dom";
 import * as format from "./format";
 import { logAxis, placeOn, referenceError, shownPoints, type LogAxis, type Precision, type PrecisionPoint } from "./precision";
-import { runColor } from "./run_choice";
+import { runColor } from "./run_names";
 
 const space = "http://www.w3.org/2000/svg";
 /** Of the drawing, in its own units. */

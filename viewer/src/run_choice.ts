@@ -1,7 +1,7 @@
-import { runColors } from "./colors";
 import { button, el, shown } from "./dom";
 import * as format from "./format";
 import { whyOther } from "./parting";
+import { runColor, runNames } from "./run_names";
 import type { RecordedSource } from "./source";
 
 /** Which runs are looked at: A is drawn solid, B (-1: none) as its ghost. */
@@ -15,23 +15,6 @@ export function nextChoice(before: Chosen, wanted: Chosen): Chosen {
   if (wanted.a !== wanted.b) return wanted;
   if (wanted.a !== before.a) return { a: wanted.a, b: before.a };
   return before.b < 0 ? before : { a: before.b, b: before.a };
-}
-
-/** Names of the runs of a page; of those without, their numbers. */
-export function runNames(sources: RecordedSource[]): string[] {
-  return sources.map(({ header }, i) => header.label ?? `run ${i + 1}`);
-}
-
-/** The names without their keys, where these are the same in all: "ratio, 0.5" for "method.toi=ratio, run.step=0.5". */
-export function shortNames(names: string[]): string[] {
-  const key = /[^\s,=]+=/g;
-  const keysOf = (name: string) => (name.match(key) ?? []).join();
-  return names.every((name) => keysOf(name) === keysOf(names[0])) ? names.map((name) => name.replace(key, "")) : names;
-}
-
-/** Colour of a run in the plots. */
-export function runColor(run: number): string {
-  return runColors[run % runColors.length];
 }
 
 /** Above the scene of a page with several runs: which one is A, which is B. */

@@ -7,7 +7,7 @@ import { shownAtFirst, suit, vectorAt, type Shown } from "./marks";
 import type { Panel } from "./panel";
 import type { Plots } from "./plots";
 import type { MotionEvent } from "./run";
-import { runColor } from "./run_choice";
+import { runColor } from "./run_names";
 import type { FrameSource } from "./source";
 import { View3D } from "./view3d";
 

@@ -4,7 +4,8 @@ import { tableOf, unitText, valueUnit } from "../src/chart";
 import { comparedRows } from "../src/compare_audits";
 import { widest } from "../src/compare_plots";
 import { loadRuns } from "../src/run";
-import { nextChoice, runColor, runNames, shortNames } from "../src/run_choice";
+import { nextChoice } from "../src/run_choice";
+import { runColor, runNames, shortNames } from "../src/run_names";
 import { RecordedSource } from "../src/source";
 import { blockOf, header, pageBlocks } from "./bytes";
 

@@ -3,6 +3,8 @@
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/report/energy.hpp"
 
+#include "sim/time_stepping_scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,31 +14,11 @@ namespace {
 
 constexpr double g = 9.81;
 
-ModelBuilder builder_with_floor(double restitution, double friction, double gravity = g) {
-  ModelBuilder builder;
-  builder.set_gravity(Vec3(0, 0, -gravity));
-  builder.add_material({"m", 1000, friction, restitution});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  return builder;
-}
-
-BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
-  BodyDescription body;
-  body.name = name;
-  body.p_WU = x;
-  body.mass = 1;
-  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
-  return body;
-}
-
 /// The cube of the reference catalogue, with all lengths times `length` and all times times `time`.
 std::shared_ptr<const Model> cube_drop(double length, double time) {
-  ModelBuilder builder = builder_with_floor(0.6, 0.4, g * length / (time * time));
-  BodyDescription cube = body_of("cube", Box{length * Vec3(0.1, 0.1, 0.1)}, length * Vec3(0, 0, 0.5));
+  ModelBuilder builder = test::stepping_builder(0.6, 0.4, Vec3(0, 0, -g * length / (time * time)));
+  BodyDescription cube =
+      test::stepping_body("cube", Box{length * Vec3(0.1, 0.1, 0.1)}, length * Vec3(0, 0, 0.5));
   cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   cube.velocity = length / time * Vec3(0.5, 0.2, 0);
   cube.angular_velocity = Vec3(3, -2, 1) / time;
@@ -68,8 +50,8 @@ TEST(EventDrivenStepper, FreshStepperContinuesBitForBit) {
 }
 
 TEST(EventDrivenStepper, FlightsDoNotDependOnWhereTheyAreLookedAt) {
-  ModelBuilder builder = builder_with_floor(1, 0);
-  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, 1.1)));
+  ModelBuilder builder = test::stepping_builder(1, 0, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 1.1)));
   const std::shared_ptr<const Model> model = builder.build();
   State often = make_initial_state(*model), once = often;
   EventDrivenStepper a(model, Method{}, 0.01), b(model, Method{}, 0.01);
@@ -100,8 +82,8 @@ TEST(EventDrivenStepper, ObliqueImpactOfABallSticksOrSlidesByCoulombsLaw) {
   // Stick if μ ≥ (2/7) v_t/((1 + e) v_n): then v_t⁺ = 5/7 v_t; else v_t⁺ = v_t - μ (1 + e) v_n.
   const double e = 0.5, v_n = 2;
   for (const auto& [friction, v_t] : {std::pair{0.5, 3.0}, std::pair{0.1, 3.0}}) {
-    ModelBuilder builder = builder_with_floor(e, friction, 0);
-    BodyDescription ball = body_of("ball", Sphere{0.1}, Vec3(0, 0, 0.3));
+    ModelBuilder builder = test::stepping_builder(e, friction, Vec3(0, 0, 0));
+    BodyDescription ball = test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 0.3));
     ball.velocity = Vec3(v_t, 0, -v_n);
     builder.add_body(ball);
     const std::shared_ptr<const Model> model = builder.build();
@@ -118,7 +100,7 @@ TEST(EventDrivenStepper, ObliqueImpactOfABallSticksOrSlidesByCoulombsLaw) {
 TEST(EventDrivenStepper, ThinRodStrikesTheFloorWithItsTip) {
   // m = L = 1 at 45 degrees: j = (1 + e) v / (1 + 3 cos²θ), ω⁺ = 12 (L/2) cos θ j.
   const double e = 0.5, v = 1;
-  ModelBuilder builder = builder_with_floor(e, 0, 0);
+  ModelBuilder builder = test::stepping_builder(e, 0, Vec3(0, 0, 0));
   BodyDescription rod;
   rod.name = "rod";
   rod.p_WU = Vec3(0, 0, 0.5);
@@ -141,8 +123,8 @@ TEST(EventDrivenStepper, EqualBallsPartAtRightAnglesAfterAnObliqueElasticImpact)
   ModelBuilder builder;
   builder.set_gravity(Vec3::Zero());
   builder.add_material({"m", 1000, 0, 1});
-  BodyDescription a = body_of("a", Sphere{0.1}, Vec3(-1, 0.07, 0)),
-                  b = body_of("b", Sphere{0.1}, Vec3::Zero());
+  BodyDescription a = test::stepping_body("a", Sphere{0.1}, Vec3(-1, 0.07, 0)),
+                  b = test::stepping_body("b", Sphere{0.1}, Vec3::Zero());
   a.velocity = Vec3(2, 0, 0);
   builder.add_body(a);
   builder.add_body(b);
@@ -156,9 +138,10 @@ TEST(EventDrivenStepper, EqualBallsPartAtRightAnglesAfterAnObliqueElasticImpact)
 }
 
 TEST(EventDrivenStepper, StackOfFiveBoxesStandsStill) {
-  ModelBuilder builder = builder_with_floor(0, 0.5);
+  ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -g));
   for (int k = 0; k < 5; ++k)
-    builder.add_body(body_of("box" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
+    builder.add_body(
+        test::stepping_body("box" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);
   const State start = state;
@@ -171,9 +154,9 @@ TEST(EventDrivenStepper, StackOfFiveBoxesStandsStill) {
 TEST(EventDrivenStepper, BlockThrownUpARampStopsAndStays) {
   // v₀ = 3 m/s, 25 degrees, μ = 0.6: t = v₀/a, s = v₀²/2a with a = g (sin + μ cos).
   const double angle = 25 * M_PI / 180, a = g * (std::sin(angle) + 0.6 * std::cos(angle));
-  ModelBuilder builder = builder_with_floor(0, 0.6);
+  ModelBuilder builder = test::stepping_builder(0, 0.6, Vec3(0, 0, -g));
   builder.set_gravity(g * Vec3(-std::sin(angle), 0, -std::cos(angle)));
-  BodyDescription block = body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1));
+  BodyDescription block = test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1));
   block.velocity = Vec3(3, 0, 0);
   builder.add_body(block);
   const std::shared_ptr<const Model> model = builder.build();
@@ -191,9 +174,9 @@ TEST(EventDrivenStepper, BlockThrownUpARampStopsAndStays) {
 // T40: 25 degrees, μ = 0.3: a = g (sin - μ cos) = 1.478621330427401 m/s², x(2 s) = 2.957242660854801 m.
 TEST(EventDrivenStepper, BlockSlidesDownARampFromRest) {
   const double angle = 25 * M_PI / 180;
-  ModelBuilder builder = builder_with_floor(0, 0.3);
+  ModelBuilder builder = test::stepping_builder(0, 0.3, Vec3(0, 0, -g));
   builder.set_gravity(g * Vec3(std::sin(angle), 0, -std::cos(angle)));
-  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);
   EventDrivenStepper(model, Method{}, 0.01).advance(state, 2);
@@ -210,8 +193,8 @@ TEST(EventDrivenStepper, BouncesEndAtTheirLimitTime) {
   };
   for (const Drop& drop :
        {Drop{1, 0.5, 1.354570922957193}, Drop{2, 0.8, 5.746957711326908}, Drop{1, 0.9, 8.578949178728887}}) {
-    ModelBuilder builder = builder_with_floor(drop.restitution, 0);
-    builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, drop.height + 0.1)));
+    ModelBuilder builder = test::stepping_builder(drop.restitution, 0, Vec3(0, 0, -g));
+    builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, drop.height + 0.1)));
     const std::shared_ptr<const Model> model = builder.build();
     State state = make_initial_state(*model);
     const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 10);
@@ -236,7 +219,7 @@ TEST(EventDrivenStepper, BodiesOnASpringKeepEnergyAndMomentum) {
   builder.set_gravity(Vec3::Zero());
   builder.add_material({"m", 1000, 0, 0});
   for (const double x : {-1.0, 1.0}) {
-    BodyDescription ball = body_of(x < 0 ? "a" : "b", Sphere{0.1}, Vec3(x, 0, 0));
+    BodyDescription ball = test::stepping_body(x < 0 ? "a" : "b", Sphere{0.1}, Vec3(x, 0, 0));
     ball.velocity = Vec3(0.3, x, 0.2 * x);
     builder.add_body(ball);
   }
@@ -261,13 +244,13 @@ TEST(EventDrivenStepper, BodiesOnASpringKeepEnergyAndMomentum) {
 // What cannot go on says why, and when, and of whom.
 
 TEST(StopReasons, ABallBetweenAWallAndAPistonBouncesEverFaster) {
-  ModelBuilder builder = builder_with_floor(1, 0, 0);
-  BodyDescription piston = body_of("piston", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
+  ModelBuilder builder = test::stepping_builder(1, 0, Vec3(0, 0, 0));
+  BodyDescription piston = test::stepping_body("piston", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
   piston.mass.reset();
   piston.motion = MotionType::kinematic;
   piston.velocity = Vec3(0, 0, -1);
   builder.add_body(piston);
-  BodyDescription ball = body_of("ball", Sphere{0.1}, Vec3(0, 0, 0.5));
+  BodyDescription ball = test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 0.5));
   ball.velocity = Vec3(0, 0, 0.1);
   builder.add_body(ball);
   const std::shared_ptr<const Model> model = builder.build();
@@ -284,13 +267,13 @@ TEST(StopReasons, ABallBetweenAWallAndAPistonBouncesEverFaster) {
 }
 
 TEST(StopReasons, ABoxUnderAPressHasNoWayOut) {
-  ModelBuilder builder = builder_with_floor(0, 0.3);
-  BodyDescription press = body_of("press", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
+  ModelBuilder builder = test::stepping_builder(0, 0.3, Vec3(0, 0, -g));
+  BodyDescription press = test::stepping_body("press", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
   press.mass.reset();
   press.motion = MotionType::kinematic;
   press.velocity = Vec3(0, 0, -1);
   builder.add_body(press);
-  builder.add_body(body_of("box", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1)));
+  builder.add_body(test::stepping_body("box", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1)));
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);
   const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 2);
@@ -303,7 +286,7 @@ TEST(StopReasons, AnUnstableIntegratorEndsAtTheFirstStateThatIsNoNumber) {
   ModelBuilder builder;
   builder.add_material({"m", 1000, 0, 0});
   builder.set_gravity(Vec3::Zero());
-  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(1, 0, 0)));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(1, 0, 0)));
   ModelBuilder::ForceDescription spring{};
   spring.type = ModelBuilder::ForceDescription::Type::spring;
   spring.bodies = {"world", "ball"};

@@ -3,6 +3,8 @@
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/audit/audit.hpp"
 
+#include "sim/time_stepping_scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,31 +14,10 @@ namespace {
 
 constexpr double g = 9.81;
 
-ModelBuilder builder_on(const Vec3& gravity, double friction, double restitution) {
-  ModelBuilder builder;
-  builder.set_gravity(gravity);
-  builder.add_material({"m", 1000, friction, restitution});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  return builder;
-}
-
-BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
-  BodyDescription body;
-  body.name = name;
-  body.p_WU = x;
-  body.mass = 1;
-  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
-  return body;
-}
-
 void add_stack(int cubes, ModelBuilder& builder) {
   for (int k = 0; k < cubes; ++k)
     builder.add_body(
-        body_of("cube" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
+        test::stepping_body("cube" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
 }
 
 /// Largest displacement of a body since the start [m].
@@ -51,8 +32,8 @@ double largest_drift(const Model& model, const State& state) {
 TEST(HybridStepper, BlockOnASlopeDoesNotCreep) {
   const double angle = 20 * std::acos(-1.0) / 180;
   ModelBuilder builder =
-      builder_on(g * Vec3(std::sin(angle), 0, -std::cos(angle)), 1.01 * std::tan(angle), 0);
-  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+      test::stepping_builder(0, 1.01 * std::tan(angle), g * Vec3(std::sin(angle), 0, -std::cos(angle)));
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
   const std::shared_ptr<const Model> model = builder.build();
   HybridStepper stepper(model, Method{}, 0.01);
   State state = make_initial_state(*model);
@@ -62,7 +43,7 @@ TEST(HybridStepper, BlockOnASlopeDoesNotCreep) {
 
 TEST(HybridStepper, StacksStand) {
   for (const int cubes : {10, 20, 50}) {
-    ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.5, 0);
+    ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -g));
     add_stack(cubes, builder);
     const std::shared_ptr<const Model> model = builder.build();
     HybridStepper stepper(model, Method{}, 1.0 / 60);
@@ -73,9 +54,9 @@ TEST(HybridStepper, StacksStand) {
 }
 
 TEST(HybridStepper, BallThatBouncesOnAStackLeavesItStanding) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.5, 0.5);
+  ModelBuilder builder = test::stepping_builder(0.5, 0.5, Vec3(0, 0, -g));
   add_stack(2, builder);
-  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, 1)));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 1)));
   const std::shared_ptr<const Model> model = builder.build();
   HybridStepper stepper(model, Method{}, 0.01);
   State state = make_initial_state(*model);
@@ -91,18 +72,18 @@ TEST(HybridStepper, BallThatBouncesOnAStackLeavesItStanding) {
 
 /// Three balls of restitution 0.9 above a stack of slabs that bounce by 0.5 themselves.
 std::shared_ptr<const Model> hail_on_slabs() {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.6, 0.5);
+  ModelBuilder builder = test::stepping_builder(0.5, 0.6, Vec3(0, 0, -g));
   builder.add_material({"rubber", 1000, 0.2, 0.9});
   builder.set_pair("rubber", "m", {.friction = 0.2, .restitution = 0.9});
   for (int k = 0; k < 4; ++k) {
-    BodyDescription slab =
-        body_of("slab" + std::to_string(k), Box{Vec3(0.15, 0.15, 0.05)}, Vec3(0, 0, 0.05 + 0.1 * k));
+    BodyDescription slab = test::stepping_body("slab" + std::to_string(k), Box{Vec3(0.15, 0.15, 0.05)},
+                                               Vec3(0, 0, 0.05 + 0.1 * k));
     slab.mass = 18;
     builder.add_body(slab);
   }
   for (int k = 0; k < 3; ++k) {
-    BodyDescription ball =
-        body_of("ball" + std::to_string(k), Sphere{0.04}, Vec3(0.1 * (k - 1), 0.02 * k, 0.6 + 0.1 * k));
+    BodyDescription ball = test::stepping_body("ball" + std::to_string(k), Sphere{0.04},
+                                               Vec3(0.1 * (k - 1), 0.02 * k, 0.6 + 0.1 * k));
     ball.mass = 0.24;
     ball.shapes[0].material = "rubber";
     builder.add_body(ball);
@@ -140,9 +121,9 @@ TEST(HybridStepper, FreshStepperContinuesBitForBitThroughHail) {
 }
 
 TEST(HybridStepper, FreshStepperContinuesBitForBit) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.4, 0.3);
+  ModelBuilder builder = test::stepping_builder(0.3, 0.4, Vec3(0, 0, -g));
   add_stack(2, builder);
-  BodyDescription cube = body_of("falling", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0.05, 0.02, 0.7));
+  BodyDescription cube = test::stepping_body("falling", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0.05, 0.02, 0.7));
   cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   builder.add_body(cube);
   const std::shared_ptr<const Model> model = builder.build();
@@ -158,8 +139,8 @@ TEST(HybridStepper, FreshStepperContinuesBitForBit) {
 }
 
 TEST(HybridStepper, SlidingBlockStopsWhereFrictionStopsIt) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.3, 0);
-  BodyDescription block = body_of("block", Box{Vec3(0.2, 0.2, 0.05)}, Vec3(0, 0, 0.05));
+  ModelBuilder builder = test::stepping_builder(0, 0.3, Vec3(0, 0, -g));
+  BodyDescription block = test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.05)}, Vec3(0, 0, 0.05));
   block.velocity = Vec3(2, 0, 0);
   builder.add_body(block);
   const std::shared_ptr<const Model> model = builder.build();

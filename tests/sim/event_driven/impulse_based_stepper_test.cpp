@@ -3,6 +3,8 @@
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/report/energy.hpp"
 
+#include "sim/time_stepping_scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,33 +14,12 @@ namespace {
 
 constexpr double g = 9.81;
 
-ModelBuilder builder_on(const Vec3& gravity, double friction, double restitution) {
-  ModelBuilder builder;
-  builder.set_gravity(gravity);
-  builder.add_material({"m", 1000, friction, restitution});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  return builder;
-}
-
-BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
-  BodyDescription body;
-  body.name = name;
-  body.p_WU = x;
-  body.mass = 1;
-  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
-  return body;
-}
-
 /// Cubes of 0.2 m on top of each other.
 std::shared_ptr<const Model> stack_of(int cubes) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.5, 0);
+  ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -g));
   for (int k = 0; k < cubes; ++k)
     builder.add_body(
-        body_of("cube" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
+        test::stepping_body("cube" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
   return builder.build();
 }
 
@@ -46,8 +27,8 @@ std::shared_ptr<const Model> stack_of(int cubes) {
 std::shared_ptr<const Model> block_on_slope() {
   const double angle = 20 * std::acos(-1.0) / 180;
   ModelBuilder builder =
-      builder_on(g * Vec3(std::sin(angle), 0, -std::cos(angle)), 1.01 * std::tan(angle), 0);
-  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+      test::stepping_builder(0, 1.01 * std::tan(angle), g * Vec3(std::sin(angle), 0, -std::cos(angle)));
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
   return builder.build();
 }
 
@@ -71,8 +52,8 @@ long impacts_of_stack(int cubes, double time) {
 }
 
 TEST(ImpulseBasedStepper, BallOfRestitutionOneKeepsItsEnergyAndItsTimes) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0, 1);
-  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, 1.1)));
+  ModelBuilder builder = test::stepping_builder(1, 0, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 1.1)));
   const std::shared_ptr<const Model> model = builder.build();
   const Method method;
   ImpulseBasedStepper stepper(model, method, 0.01);
@@ -125,8 +106,8 @@ TEST(ImpulseBasedStepper, PatchedSlowCollisionsDoNotCreepButPlainOnesDo) {
 TEST(ImpulseBasedStepper, SlidingBlockKeepsTheAccelerationOfCoulombsLaw) {
   // 0.99 times the friction that holds it: a = g (sin α - μ cos α), a hundredth of the pull.
   const double angle = 20 * std::acos(-1.0) / 180, mu = 0.99 * std::tan(angle), duration = 0.5;
-  ModelBuilder builder = builder_on(g * Vec3(std::sin(angle), 0, -std::cos(angle)), mu, 0);
-  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  ModelBuilder builder = test::stepping_builder(0, mu, g * Vec3(std::sin(angle), 0, -std::cos(angle)));
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
   const std::shared_ptr<const Model> model = builder.build();
   ImpulseBasedStepper stepper(model, Method{}, 0.01);
   State state = make_initial_state(*model);
@@ -143,8 +124,8 @@ TEST(ImpulseBasedStepper, StacksNeedMoreImpactsForEachCubeTheHigherTheyAre) {
 }
 
 TEST(ImpulseBasedStepper, MomentaAreExactWhereBodiesRub) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.4, 0.5);
-  BodyDescription cube = body_of("cube", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.4));
+  ModelBuilder builder = test::stepping_builder(0.5, 0.4, Vec3(0, 0, -g));
+  BodyDescription cube = test::stepping_body("cube", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.4));
   cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   cube.velocity = Vec3(1, 0.5, 0);
   builder.add_body(cube);
@@ -162,8 +143,8 @@ TEST(ImpulseBasedStepper, MomentaAreExactWhereBodiesRub) {
 }
 
 TEST(ImpulseBasedStepper, JointsHoldWhileWhatHangsOnThemCollides) {
-  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.3, 0.5);
-  builder.add_body(body_of("bob", Sphere{0.1}, Vec3(1, 0, 0.6)));
+  ModelBuilder builder = test::stepping_builder(0.5, 0.3, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("bob", Sphere{0.1}, Vec3(1, 0, 0.6)));
   ModelBuilder::JointDescription hinge;
   hinge.name = "hinge";
   hinge.type = JointType::hinge;

@@ -5,6 +5,8 @@
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/simulation.hpp"
 
+#include "sim/time_stepping_scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,41 +26,21 @@ Method penalty_method(PenaltyMethod form, PenaltyLaw law) {
   return method;
 }
 
-ModelBuilder builder_with_floor(const Vec3& g_W, double friction, double restitution) {
-  ModelBuilder builder;
-  builder.set_gravity(g_W);
-  builder.add_material({"m", 1000, friction, restitution});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
-  return builder;
-}
-
-BodyDescription body_of(const std::string& name, const Shape& shape, double z) {
-  BodyDescription body;
-  body.name = name;
-  body.mass = 1;
-  body.p_WU = Vec3(0, 0, z);
-  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
-  return body;
-}
-
 /// `blocks` blocks of 1 kg on each other, on a slope of 20 degrees (gravity is tilted) with 1.01 times the
 /// friction that holds them.
 std::shared_ptr<const Model> blocks_on_slope(int blocks) {
   const double angle = 20 * std::numbers::pi / 180;
   ModelBuilder builder =
-      builder_with_floor(g * Vec3(std::sin(angle), 0, -std::cos(angle)), 1.01 * std::tan(angle), 0);
+      test::stepping_builder(0, 1.01 * std::tan(angle), g * Vec3(std::sin(angle), 0, -std::cos(angle)));
   for (int k = 0; k < blocks; ++k)
-    builder.add_body(body_of("block" + std::to_string(k), Box{Vec3(0.2, 0.2, 0.05)}, 0.05 + 0.1 * k));
+    builder.add_body(test::stepping_body("block" + std::to_string(k), Box{Vec3(0.2, 0.2, 0.05)},
+                                         Vec3(0, 0, 0.05 + 0.1 * k)));
   return builder.build();
 }
 
 std::shared_ptr<const Model> ball_above_floor(double height, double restitution) {
-  ModelBuilder builder = builder_with_floor(Vec3(0, 0, -g), 0, restitution);
-  builder.add_body(body_of("ball", Sphere{0.1}, 0.1 + height));
+  ModelBuilder builder = test::stepping_builder(restitution, 0, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 0.1 + height)));
   return builder.build();
 }
 
