@@ -2,6 +2,7 @@
 
 #include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
+#include "rigor/solver/coulomb/interior_point.hpp"
 #include "rigor/solver/coulomb/proximal_point.hpp"
 #include "rigor/solver/coulomb/proximal_point_by_forces.hpp"
 
@@ -23,6 +24,10 @@ constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 // With forces as unknowns a point begins where the last one ended, and the first may be as near as this.
 constexpr double kBoldRho = 1e3;
+// Of so many contacts the first guess comes from their interior: a few of them are guessed sooner by points.
+// Points that begin near the solution may be as near as this.
+constexpr std::size_t kFewestInside = 48;
+constexpr double kRhoFromInside = 1e4;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their
 // rounding is still below what counts as solved.
@@ -48,6 +53,7 @@ class ProximalPoints {
         is_bold_(options.is_bold) {
     const Index count = static_cast<Index>(laws.mu.size());
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
+    if (is_bold_ && options.start.size() == 0 && laws.mu.size() >= kFewestInside) begin_inside();
     v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
   }
 
@@ -98,6 +104,13 @@ class ProximalPoints {
   }
 
  private:
+  void begin_inside() {
+    const std::optional<VecX> inside = interior_forces(laws_, motion_);
+    if (!inside) return;
+    lambda_ = clamp_to_cones(laws_, *inside);
+    rho_ = kRhoFromInside;
+  }
+
   std::optional<ProximalPoint> next_point(double share) {
     const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_, share};
     return is_bold_ ? by_forces_.find(start) : proximal_point_by_motion(start);
