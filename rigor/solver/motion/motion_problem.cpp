@@ -41,11 +41,11 @@ class MotionSolver {
   }
 
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
-    // Without friction the nearest point shows the modes; of many contacts proximal points find it sooner. A
-    // start near the solution is best refined itself.
+    // Without friction the nearest point shows the modes; of many contacts proximal points find it sooner, and
+    // of very many they alone. A start near the solution is best refined itself.
     if (is_frictionless() && is_many_to_resolution()) {
       std::optional<CoulombSolution> solution = solve_to_resolution();
-      if (solution && solution->converged) return solution;
+      if (solution && (solution->converged || !is_dense_enough())) return solution;
     }
     const bool is_near = start_.size() > 0 && options_.resolution && are_masses_alike();
     if (is_frictionless() && is_dense_enough() && !is_near)
@@ -129,11 +129,11 @@ class MotionSolver {
     return guess;
   }
 
-  /// The dense search for the nearest point takes the rows of joints as equations, one by one: of long chains
-  /// they are too many.
+  /// The dense search for the nearest point takes contacts and the rows of joints, as equations, one by one: of
+  /// long chains and of large heaps they are too many.
   bool is_dense_enough() const {
-    constexpr std::size_t kMostHeldNodes = 40;
-    return problem_.rows.joint_nodes.size() <= kMostHeldNodes;
+    constexpr std::size_t kMostHeldNodes = 40, kMostContacts = 200;
+    return problem_.rows.joint_nodes.size() <= kMostHeldNodes && laws_.mu.size() <= kMostContacts;
   }
 
   /// The nearest point with G = J M^(-½): joints first, as equations, then the normals of contacts.
