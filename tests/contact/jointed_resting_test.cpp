@@ -83,5 +83,67 @@ TEST(JointedResting, DryFrictionMotorsAndLimitsAreTheSameInBothSpaces) {
   }
 }
 
+/// Whether contacts with these states and forces have the accelerations that their modes say, by Newton's law
+/// for the bodies with their joints.
+void expect_modes_hold(const Scene& scene, const std::vector<ContactState>& states, const VecX& lambda) {
+  std::vector<Wrench> wrenches = scene.wrenches;
+  add_contact_wrenches(scene.system, lambda, wrenches);
+  const VecX w = free_contact_accelerations(scene.system, wrenches);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Vec3 of_contact = w.segment<3>(3 * static_cast<Eigen::Index>(i));
+    EXPECT_NEAR(of_contact.z(), 0, 1e-11 * g) << i;
+    if (states[i].mode == ContactMode::stick) {
+      EXPECT_LE(of_contact.norm(), 1e-11 * g) << i;
+    }
+  }
+}
+
+TEST(JointedResting, ForcesOfKnownModesHoldFewAndManyContacts) {
+  test::Random random(11);
+  for (const int boxes : {2, 3}) {
+    Scene scene = hinged_boxes(boxes, JointAxis{});
+    const std::size_t count = scene.system.contacts.size();
+    ASSERT_EQ(count, 4u * static_cast<std::size_t>(boxes));
+    const double weight = g / scene.system.kinetics[1].inverse_mass;
+
+    // At rest each corner bears a quarter of its box, the share of least norm.
+    const std::vector<ContactState> sticking(count, {ContactMode::stick, Vec3::Zero()});
+    const VecX at_rest = contact_forces(scene.system, sticking, scene.wrenches, 1e-9);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 force = at_rest.segment<3>(3 * static_cast<Eigen::Index>(i));
+      EXPECT_LE((force - Vec3(0, 0, 0.25 * weight)).norm(), 1e-10 * weight) << i;
+    }
+
+    // Pushed and twisted at random, with one box that slides.
+    for (std::size_t i = 1; i < scene.wrenches.size(); ++i) {
+      scene.wrenches[i].f_W += weight * random.vector();
+      scene.wrenches[i].tau_W += 0.3 * weight * random.vector();
+    }
+    std::vector<ContactState> states = sticking;
+    for (std::size_t i = 0; i < 4; ++i) states[i] = {ContactMode::slide, Vec3(1, 0, 0)};
+    const VecX pushed = contact_forces(scene.system, states, scene.wrenches, 1e-9);
+    expect_modes_hold(scene, states, pushed);
+  }
+}
+
+TEST(JointedResting, FewContactsAreTheSameInBothSpaces) {
+  Scene scene = hinged_boxes(2, JointAxis{});
+  ASSERT_EQ(scene.system.contacts.size(), 8u);
+  test::Random random(12);
+  const double weight = g / scene.system.kinetics[1].inverse_mass;
+  for (int trial = 0; trial < 20; ++trial) {
+    for (std::size_t i = 1; i < scene.wrenches.size(); ++i) {
+      scene.wrenches[i].f_W = weight * (0.4 * random.vector() - Vec3::UnitZ());
+      scene.wrenches[i].tau_W = 0.2 * weight * random.vector();
+    }
+    const RestingSolution few = solve_resting(scene.system, scene.wrenches, 1e-9);
+    const RestingSolution contact =
+        solve_resting(scene.system, scene.wrenches, 1e-9, {RestingSpace::contact, LcpName::dantzig});
+    ASSERT_TRUE(few.forces.converged && contact.forces.converged) << trial;
+    EXPECT_LE((few.forces.w - contact.forces.w).cwiseAbs().maxCoeff(), 1e-10 * g) << trial;
+    EXPECT_LE((few.forces.lambda - contact.forces.lambda).norm(), 1e-9 * weight) << trial;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::jointed_resting_test

@@ -13,9 +13,13 @@ namespace rigor {
 
 namespace {
 
-/// Of so few contacts without joints the dense problem in contact space costs less than the rounds of motion
-/// space; forces of least norm are the same.
-constexpr std::size_t few_contacts = 4;
+/// Of so few contacts the dense problem in contact space costs less than the rounds of motion space, each of
+/// which asks the joints twice; forces of least norm are the same.
+constexpr std::size_t few_contacts = 4, few_contacts_with_joints = 8;
+
+bool is_small(const ContactSystem& system) {
+  return system.contacts.size() <= (system.joints ? few_contacts_with_joints : few_contacts);
+}
 
 /// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one
 /// otherwise.
@@ -74,8 +78,7 @@ std::optional<VecX> force_alone(const ContactSystem& system, const CoulombProble
 VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std::vector<ContactMode>& modes,
                      const RestingChoice& choice) {
   if (const std::optional<VecX> force = force_alone(system, laws, modes)) return *force;
-  const bool is_small = modes.size() <= few_contacts && !system.joints;
-  if (choice.space == RestingSpace::motion && !is_small) {
+  if (choice.space == RestingSpace::motion && !is_small(system)) {
     const MotionProblem problem{motion_rows(system), laws};
     const EliminationPlan plan = elimination_plan(problem.rows);
     const MotionModesSystem forces(problem, plan, {modes, laws.slips});
@@ -124,13 +127,19 @@ constexpr double resting_rounding = 1e-9;
 
 CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
                            const std::vector<ContactMode>& start) {
+  CoulombOptions options;
+  options.resolution = resting_rounding * laws.b.cwiseAbs().maxCoeff();
   if (choice.space == RestingSpace::motion) {
+    if (system.joints && is_small(system)) {
+      CoulombProblem dense = laws;
+      dense.A = delassus(system);
+      CoulombSolution solution = solve_coulomb(dense, options);
+      if (solution.converged) return solution;
+    }
     const MotionProblem problem{motion_rows(system), laws};
     if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem, start)) return *solution;
   }
   laws.A = delassus(system);
-  CoulombOptions options;
-  options.resolution = resting_rounding * laws.b.cwiseAbs().maxCoeff();
   if (choice.space == RestingSpace::contact) options.lcp = choice.lcp;
   return solve_coulomb(laws, options);
 }

@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -149,12 +150,16 @@ void add_held(const ContactSystem& system, const std::vector<std::vector<Side>>&
     }
   }
 
-  // A += J (M⁻¹ - M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁺ G M⁻¹) Jᵀ.
-  const MatX of_held = J * system.joints->respond(MatX(J.transpose()));
-  for (std::size_t i = 0; i < touching.size(); ++i) {
-    for (std::size_t k = 0; k < touching.size(); ++k) {
-      A.block<3, 3>(3 * touching[i], 3 * touching[k]) +=
-          of_held.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(k));
+  // A += J (M⁻¹ - M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁺ G M⁻¹) Jᵀ, of J the blocks that are there.
+  count_work(held.size() * at(J.rows()));
+  const MatX response = system.joints->respond(MatX(J.transpose()));
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    for (const Side& side : sides[held[n]]) {
+      const Eigen::Matrix<double, 3, Eigen::Dynamic> rates =
+          side.J->lazyProduct(response.middleRows<6>(6 * static_cast<Eigen::Index>(n)));
+      for (std::size_t k = 0; k < touching.size(); ++k)
+        A.block<3, 3>(3 * side.contact, 3 * touching[k]) +=
+            rates.middleCols<3>(3 * static_cast<Eigen::Index>(k));
     }
   }
 }

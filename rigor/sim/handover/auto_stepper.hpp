@@ -18,14 +18,13 @@ namespace rigor {
 /// By how much work it is decided who carries the bodies: AdvanceReport::effort of events, step_work of
 /// steps.
 struct HandoverBounds {
-  /// Work of events that a second of simulated time pays for [1/s]: about ten seconds of processor time, as
-  /// much as the bound by which `auto` chooses a scheme at the start (a unit takes 5 to 12 µs:
-  /// docs/theory/handover.md).
-  double paid_by_events = 1e6;
+  /// Work of events that a second of simulated time pays for [1/s]: about two and a half seconds of processor
+  /// time (a unit takes 5 to 15 µs: docs/theory/handover.md).
+  double paid_by_events = 2.5e5;
   /// What may be owed beyond it: single impacts of large groups are worth their time.
   double most_owed = 2e5;
   /// While steps carry the bodies, time pays for less [1/s]: who comes back is well within the bound.
-  double paid_by_steps = 0.25e6;
+  double paid_by_steps = 1e5;
   /// Operations of exact steps that a second of simulated time pays for [1/s]: about ten seconds of processor
   /// time (an operation takes 50 to 100 ns).
   double paid_to_steps = 1e8;
