@@ -219,8 +219,11 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
         energy_of_bodies(model_, environment_, island.begin + step.h, island.bodies, step.end) -
         energy_of_bodies(model_, environment_, island.begin, island.bodies, island.start) -
         step.work.supplied;
-    if (gained > 0)
-      step.work.supplied += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
+    if (gained > 0) {
+      const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gained, balance, step.end);
+      step.work.supplied += taken.work;
+      step.unpaid = gained - taken.energy;
+    }
   }
 
   // What stands still around the bodies has taken the difference of the momenta.
