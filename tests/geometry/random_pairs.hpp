@@ -30,12 +30,22 @@ class Draw {
     const double r = std::sqrt(1 - z * z);
     return Vec3(r * std::cos(angle), r * std::sin(angle), z).normalized();
   }
-  Mat3 rotation() { return rotation_matrix(rotation_exp(uniform(0, std::numbers::pi) * direction())); }
+  // Operands and arguments of a call are evaluated in the compiler's order, so each draw has its own
+  // statement.
+  Mat3 rotation() {
+    const double angle = uniform(0, std::numbers::pi);
+    return rotation_matrix(rotation_exp(angle * direction()));
+  }
   Pose pose(double reach) {
-    return {rotation(), reach * Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1))};
+    const Mat3 R = rotation();
+    const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+    return {R, reach * Vec3(x, y, z)};
   }
   double size() { return uniform(0.15, 0.7); }
-  Vec3 sizes() { return {size(), size(), size()}; }
+  Vec3 sizes() {
+    const double x = size(), y = size(), z = size();
+    return {x, y, z};
+  }
 
   /// Points on an ellipsoid, so that all of them are vertices.
   std::vector<Vec3> points(int count) {

@@ -32,6 +32,7 @@ struct IslandStep {
   WorkDone work;                        ///< [J].
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
+  double unpaid = 0;                    ///< Energy gained that its motion cannot give back [J].
   bool is_implicit = false;             ///< Of first order: contacts answered with impulses.
   bool is_stiff = false;                ///< By the integrator for stiff forces.
 

@@ -1,6 +1,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/dynamics/drag_flow.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
@@ -73,16 +74,52 @@ CoulombOptions first_order_options() {
   return coarse;
 }
 
+/// Of a body over a step, without joints and contacts.
+struct FreeMotion {
+  BodyPhase end;  ///< Its momenta count; where it goes is for the whole step to say.
+  Vec3 v, w;      ///< The displacement is the mean of these and the velocities at the end, times h.
+  Vec3 impulse, angular_impulse;  ///< Of what acts on it; about the origin of W.
+};
+
+/// Constant forces: velocities change evenly.
+FreeMotion forced_motion(const BodyKinetics& body, const BodyPhase& start, const Wrench& wrench, double h) {
+  FreeMotion motion{start, body.v, body.w, h * wrench.f_W, {}};
+  motion.end.P += motion.impulse;
+  motion.end.L += h * wrench.tau_W;
+  motion.angular_impulse = h * wrench.tau_W + (start.x + 0.5 * h * body.v).cross(motion.impulse);
+  return motion;
+}
+
+/// Under a drag in closed form: over a step that is long for it an explicit one would turn the motion round
+/// and feed it.
+FreeMotion dragged_motion(const Body& body, const BodyKinetics& kinetics, const BodyPhase& start,
+                          const Environment::DragRates& drag, Wrench wrench, double h) {
+  // The drag at the start is among the forces.
+  wrench.f_W += drag.linear * kinetics.v;
+  wrench.tau_W += drag.angular * kinetics.w + drag.angular_damping * start.L;
+  FreeMotion motion;
+  motion.end = drag_flow({body.mass, body.moments}, drag, wrench, start, h);
+
+  // Velocities that lead there by their mean with those at the end.
+  const BodyKinetics last = dynamic_kinetics(body, motion.end);
+  motion.v = 2 / h * (motion.end.x - start.x) - last.v;
+  motion.w = 2 / h * rotation_log(motion.end.q * start.q.conjugate()) - last.w;
+
+  motion.impulse = motion.end.P - start.P;
+  motion.angular_impulse =
+      (motion.end.L - start.L) + start.x.cross(motion.impulse) + (motion.end.x - start.x).cross(motion.end.P);
+  return motion;
+}
+
 /// The displacement of the mean velocity: exact where the acceleration is constant, and no contact closes by
 /// more than its gap.
-void move_by_mean_velocities(const Island& island, const ContactSystem& before, const ContactSystem& after,
-                             double h, std::vector<BodyPhase>& phases) {
+void move_by_mean_velocities(const Island& island, const std::vector<FreeMotion>& free,
+                             const ContactSystem& after, double h, std::vector<BodyPhase>& phases) {
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyKinetics& first = before.of(island.bodies[i]);
     const BodyKinetics& last = after.of(island.bodies[i]);
     BodyPhase& phase = phases[i];
-    phase.x += 0.5 * h * (first.v + last.v);
-    phase.q = (rotation_exp(0.5 * h * (first.w + last.w)) * phase.q).normalized();
+    phase.x += 0.5 * h * (free[i].v + last.v);
+    phase.q = (rotation_exp(0.5 * h * (free[i].w + last.w)) * phase.q).normalized();
   }
 }
 
@@ -94,19 +131,23 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   const ContactSystem at_start = assembler_.assemble(island, island.begin, phases);
   const std::vector<Wrench> wrenches = assembler_.environment_wrenches(at_start, island.begin);
 
-  // Impulses act where the bodies are half a step later: then angular momentum about any point is exact.
-  const auto middle = [&](std::size_t i) {
-    return Vec3(island.start[i].x + 0.5 * h * at_start.of(island.bodies[i]).v);
-  };
   IslandStep result{h, {}, {}, 0, 0};
   result.is_implicit = true;
+  std::vector<FreeMotion> free;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const Wrench& wrench = wrenches[at(at_start.local_index(island.bodies[i]))];
-    phases[i].P += h * wrench.f_W;
-    phases[i].L += h * wrench.tau_W;
-    result.impulse += h * wrench.f_W;
-    result.angular_impulse += h * (wrench.tau_W + middle(i).cross(wrench.f_W));
+    const int body = island.bodies[i];
+    const BodyKinetics& kinetics = at_start.of(body);
+    const Wrench& wrench = wrenches[at(at_start.local_index(body))];
+    free.push_back(environment_.has_drag(body) ? dragged_motion(model_.body(body), kinetics, phases[i],
+                                                                environment_.drag(body), wrench, h)
+                                               : forced_motion(kinetics, phases[i], wrench, h));
+    phases[i].P = free[i].end.P;
+    phases[i].L = free[i].end.L;
+    result.impulse += free[i].impulse;
+    result.angular_impulse += free[i].angular_impulse;
   }
+  // Impulses act where the bodies are half a step later: then angular momentum about any point is exact.
+  const auto middle = [&](std::size_t i) { return Vec3(island.start[i].x + 0.5 * h * free[i].v); };
 
   // The velocities after the impulses of the joints, without those of the contacts.
   ContactSystem system = assembler_.assemble(island, island.begin, phases);
@@ -143,7 +184,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     phases[i].L += impulse.tau_W + (island.start[i].x - middle(i)).cross(impulse.f_W);
   }
 
-  move_by_mean_velocities(island, at_start, after, h, phases);
+  move_by_mean_velocities(island, free, after, h, phases);
 
   // The end without overlap and without more energy, and the path to it.
   result.end = std::move(phases);
@@ -178,8 +219,11 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
         energy_of_bodies(model_, environment_, island.begin + step.h, island.bodies, step.end) -
         energy_of_bodies(model_, environment_, island.begin, island.bodies, island.start) -
         step.work.supplied;
-    if (gained > 0)
-      step.work.supplied += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
+    if (gained > 0) {
+      const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gained, balance, step.end);
+      step.work.supplied += taken.work;
+      step.unpaid = gained - taken.energy;
+    }
   }
 
   // What stands still around the bodies has taken the difference of the momenta.

@@ -32,6 +32,8 @@ constexpr int most_step_halvings = 12;
 /// How far bodies may rotate in such a step [rad], and how often it is shortened for that.
 constexpr double most_rotation = 0.25;
 constexpr int most_rotation_reductions = 12;
+/// Times the length of such a step, up to which rate explicit springs and dampers swing or settle.
+constexpr double stable_rate = 1;
 
 }  // namespace
 
@@ -122,6 +124,17 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
     running.step = integrator_.implicit_step(island, h);
   }
 
+  // Springs and dampers act as they are at its beginning: halved until they feed no motion.
+  const auto is_fed = [&] {
+    return running.step.unpaid > 0 && std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
+             return assembler_.environment().stiff_rate(body) * running.step.h > stable_rate;
+           });
+  };
+  while (h > resolved && is_fed()) {
+    h = std::max(0.5 * h, resolved);
+    running.step = integrator_.implicit_step(island, h);
+  }
+
   // It ends where further points meet; its modes are those of its own problem. The shorter step goes another
   // way, on which they may meet earlier still.
   for (int k = 0; k < most_step_halvings; ++k) {
@@ -162,8 +175,14 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
 
   // It ends where the modes of its contacts no longer hold.
   running.change = mode_changes_.find(island, running.step);
-  if (running.change)
+  if (running.change) {
     running.step = integrator_.repeated(island, std::max(running.change->h, least), running.step);
+    if (running.step.error > hopeless_error_ && !island.contacts.empty()) {
+      running.change.reset();
+      go_to_velocity_level(island.bodies);
+      return take_implicit_step(h, resolved, running, report);
+    }
+  }
   if (running.step.error > 1) ++report.coarse_steps;
 
   running.wanted = std::min(target_step_, h);
