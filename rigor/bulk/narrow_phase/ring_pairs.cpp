@@ -1,5 +1,7 @@
 #include "rigor/bulk/narrow_phase/ring_pairs.hpp"
 
+#include "rigor/bulk/narrow_phase/collide_ellipsoids.hpp"
+
 namespace rigor {
 
 namespace {
@@ -13,6 +15,7 @@ bool has_faces(const BulkShape& shape) {
 
 /// How far a shape reaches along n, from the centre of its body.
 float reach_of(const BulkShape& shape, const PlacedShape& placed, const Vec3f& n) {
+  if (shape.kind == ShapeKind::ellipsoid) return place_ellipsoid(shape, placed, Vec3f::Zero()).reach(n);
   if (!has_faces(shape)) return place_ring(shape, placed, Vec3f::Zero()).reach(n) + shape.radius;
   const Vec3f along = shape.scale.cwiseProduct(Vec3f(placed.rotation().transpose() * n));
   return n.dot(placed.position()) + find_support(shape.hull->vertices(), along, best_lane_target()).height;
@@ -40,8 +43,7 @@ Outcome RingMeeting::collide(const RingPair& pair) {
   return collide_ring_with_polytope(ring, polytope_, polytope_is_B, pair.margin, contacts_);
 }
 
-bool RingMeeting::find(const RingPair& pair, int number, PairHint& hint, ManifoldList& manifolds) {
-  // Many pairs are parted along the line of their centres.
+bool part_by_centres(const RingPair& pair, PairHint& hint) {
   const Vec3f between = pair.d + pair.placed_B.position() - pair.placed_A.position();
   const float distance = between.norm();
   const float rounding = kCollisionRounding * (pair.a.extent + pair.b.extent + distance);
@@ -49,6 +51,11 @@ bool RingMeeting::find(const RingPair& pair, int number, PairHint& hint, Manifol
     hint = {between / distance, 0};
     return true;
   }
+  return false;
+}
+
+bool RingMeeting::find(const RingPair& pair, int number, PairHint& hint, ManifoldList& manifolds) {
+  if (part_by_centres(pair, hint)) return true;
   const Outcome outcome = collide(pair);
   hint = {contacts_.n, outcome == Outcome::apart ? 0u : 1u};
   if (outcome != Outcome::touching) return outcome == Outcome::apart;
