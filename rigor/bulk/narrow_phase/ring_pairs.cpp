@@ -2,6 +2,10 @@
 
 #include "rigor/bulk/narrow_phase/collide_ellipsoids.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 namespace rigor {
 
 namespace {
@@ -19,6 +23,14 @@ float reach_of(const BulkShape& shape, const PlacedShape& placed, const Vec3f& n
   if (!has_faces(shape)) return place_ring(shape, placed, Vec3f::Zero()).reach(n) + shape.radius;
   const Vec3f along = shape.scale.cwiseProduct(Vec3f(placed.rotation().transpose() * n));
   return n.dot(placed.position()) + find_support(shape.hull->vertices(), along, best_lane_target()).height;
+}
+
+/// No candidate of the second manifold is deeper than the pair is: what its normal finds deeper, by as much
+/// as the margin of fast bodies, is put back along the first one.
+void raise_to_least(const std::vector<ManifoldCandidate>& first, std::vector<ManifoldCandidate>& second) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const ManifoldCandidate& candidate : first) least = std::min(least, candidate.gap);
+  for (ManifoldCandidate& candidate : second) candidate.gap = std::max(candidate.gap, least);
 }
 
 }  // namespace
@@ -60,6 +72,7 @@ bool RingMeeting::find(const RingPair& pair, int number, PairHint& hint, Manifol
   hint = {contacts_.n, outcome == Outcome::apart ? 0u : 1u};
   if (outcome != Outcome::touching) return outcome == Outcome::apart;
   int part = 0;
+  raise_to_least(contacts_.candidates, contacts_.beside);
   if (!contacts_.candidates.empty())
     manifolds.push_back(
         {number, part++, make_manifold(contacts_.n, contacts_.equal_depth, contacts_.candidates)});
