@@ -91,6 +91,18 @@ std::unique_ptr<btCollisionShape> new_shape(const Shape& shape) {
     return std::make_unique<btCylinderShapeZ>(
         to_bullet(Vec3(cylinder->radius, cylinder->radius, cylinder->half_length)));
   }
+  if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    return std::make_unique<btConeShapeZ>(static_cast<btScalar>(cone->radius),
+                                          static_cast<btScalar>(2 * cone->half_length));
+  }
+  if (const Ellipsoid* ellipsoid = std::get_if<Ellipsoid>(&shape)) {
+    // Bullet's ellipsoids are balls that are scaled along the axes.
+    const btVector3 center(0, 0, 0);
+    const btScalar radius = 1;
+    std::unique_ptr<btMultiSphereShape> ball = std::make_unique<btMultiSphereShape>(&center, &radius, 1);
+    ball->setLocalScaling(to_bullet(ellipsoid->radii));
+    return ball;
+  }
   std::unique_ptr<btConvexHullShape> hull = std::make_unique<btConvexHullShape>();
   for (const Vec3& vertex : std::get<Convex>(shape).hull->vertices) hull->addPoint(to_bullet(vertex), false);
   hull->recalcLocalAabb();
@@ -123,6 +135,13 @@ btCollisionShape* BulletBulkEngine::shape_of(const Shape& shape) {
   if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
     key[1] = cylinder->radius;
     key[2] = cylinder->half_length;
+  }
+  if (const Cone* cone = std::get_if<Cone>(&shape)) {
+    key[1] = cone->radius;
+    key[2] = cone->half_length;
+  }
+  if (const Ellipsoid* ellipsoid = std::get_if<Ellipsoid>(&shape)) {
+    for (std::size_t k = 0; k < 3; ++k) key[k + 1] = ellipsoid->radii[static_cast<Eigen::Index>(k)];
   }
   if (const Box* box = std::get_if<Box>(&shape)) {
     for (std::size_t k = 0; k < 3; ++k) key[k + 1] = box->half_extents[static_cast<Eigen::Index>(k)];

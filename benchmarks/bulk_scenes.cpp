@@ -215,6 +215,8 @@ const std::vector<NamedScene>& bulk_scenes() {
                                                  {"g_hulls", make_hulls},
                                                  {"terrain", make_terrain},
                                                  {"cylinders", make_cylinders},
+                                                 {"ellipsoids", make_ellipsoids},
+                                                 {"round_mesh", make_round_on_mesh},
                                                  {"dolls", make_dolls},
                                                  {"bin", make_bin},
                                                  {"hourglass", make_hourglass},

@@ -116,6 +116,35 @@ std::shared_ptr<const Model> make_cylinders() {
   return builder.build();
 }
 
+std::shared_ptr<const Model> make_ellipsoids() {
+  ModelBuilder builder = scene_builder("ellipsoids");
+  SceneDraws draws;
+  add_ground(builder);
+  add_walls(6, 20, builder);
+  const Grid grid{10, 1.15, 1};
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 radii(draws.between(0.25, 0.4), draws.between(0.2, 0.45), draws.between(0.2, 0.45));
+    add_body(fmt::format("ellipsoid{}", k), Ellipsoid{radii}, grid.place(k), draw_rotation(draws),
+             builder);
+  }
+  return builder.build();
+}
+
+std::shared_ptr<const Model> make_round_on_mesh() {
+  ModelBuilder builder = scene_builder("round_mesh");
+  SceneDraws draws;
+  add_fixed("hills", make_hills(), Vec3::Zero(), Quat::Identity(), builder);
+  const Grid grid{16, 1.6, 6};
+  for (int k = 0; k < 1000; ++k) {
+    const double r = draws.between(0.25, 0.4), half = draws.between(0.2, 0.45);
+    const std::array<Shape, 4> shapes = {Ellipsoid{Vec3(r, half, draws.between(0.2, 0.45))},
+                                         Cylinder{r, half}, Cone{r, half}, Capsule{0.6 * r, half}};
+    add_body(fmt::format("body{}", k), shapes[static_cast<std::size_t>(k % 4)], grid.place(k),
+             draw_rotation(draws), builder);
+  }
+  return builder.build();
+}
+
 std::shared_ptr<const Model> make_bin() {
   ModelBuilder builder = scene_builder("bin");
   SceneDraws draws;

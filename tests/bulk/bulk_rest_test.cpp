@@ -67,6 +67,46 @@ TEST(BulkRest, AnAskewTowerStandsStill) {
   }
 }
 
+/// Bricks of 0.5 x 0.25 x 0.25 m in a running bond along x, `gap` between neighbours of a row.
+std::shared_ptr<const Model> brick_wall(int rows, int columns, double gap) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, 0.5, 0});
+  BodyDescription floor = resting_body("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
+  floor.motion = MotionType::fixed;
+  builder.add_body(floor);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const Vec3 place(0.5 * j + 0.25 * (i % 2), 0, 0.25 * (i + 0.5));
+      builder.add_body(resting_body("brick " + std::to_string(i) + " " + std::to_string(j),
+                                    Box{Vec3(0.25 - 0.5 * gap, 0.125, 0.125)}, place));
+    }
+  }
+  return builder.build();
+}
+
+TEST(BulkRest, AWallComesToRest) {
+  // With friction that takes all slip and twist in both sweeps of a substep these walls vibrated at 5 and 25
+  // mm/s for ever, the second one in its plane.
+  for (const double gap : {0.01, 0.0}) {
+    const int rows = gap > 0 ? 12 : 20;
+    const std::shared_ptr<const Model> model = brick_wall(rows, 10, gap);
+    State state = make_initial_state(*model);
+    BulkWorld world(model, BulkSettings{});
+    world.read(state);
+    for (int k = 0; k < 240; ++k) world.step(1.0 / 60);
+    double fastest = 0, out = 0;
+    for (std::size_t i = 1; i < world.bodies().x.size(); ++i) {
+      const MotionRecord& motion = world.bodies().motion[i];
+      for (int axis = 0; axis < 3; ++axis)
+        fastest = std::max(fastest, std::abs(static_cast<double>(motion.v[axis])));
+      out = std::max(out, std::abs(world.bodies().x[i].y()));
+    }
+    EXPECT_LT(fastest, 2e-3) << gap;
+    EXPECT_LT(out, 3e-3) << gap;
+  }
+}
+
 TEST(BulkRest, AnAskewTowerFallsAsleep) {
   const std::shared_ptr<const Model> model = askew_tower(4, 5);
   State state = make_initial_state(*model);

@@ -111,20 +111,29 @@ RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, Fl
   y = y * scale;
 }
 
+/// The part of the speed of slip and twist that a sweep takes away. In the sweep without springs a patch does
+/// it by steps: bricks of a wall that twist and slide against their neighbours are coupled so closely that
+/// two whole sweeps a substep, each of which begins where the one before has ended, excite them.
+template <BlockPass pass, class Block>
+constexpr float friction_share() {
+  return pass == BlockPass::relax && Block::kind.turns() ? 0.3F : 1;
+}
+
 /// Changes of the impulses along t1 and t2.
 struct SlipImpulse {
   FloatLanes f1, f2;
 };
 /// Coulomb friction at the centre of the manifold, on the disc μ Σ λ of all its normal impulses. u: of B
 /// against A there.
-template <class Block>
+template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES SlipImpulse solve_slip(const FloatLanes& pressed, const FloatVec3& u, Block& block) {
   const FloatLanes old1 = lane(block.impulses.tangent(0)), old2 = lane(block.impulses.tangent(1));
   const FloatLanes m11 = lane(block.tangent_mass[0]), m22 = lane(block.tangent_mass[1]),
                    m12 = lane(block.tangent_mass[2]);
-  // The impulse that stops all slip, shortened to the radius of the disc.
-  FloatLanes f1 = fused(-m12, u.z, fused(-m11, u.y, old1));
-  FloatLanes f2 = fused(-m22, u.z, fused(-m12, u.y, old2));
+  // The impulse that stops the slip, shortened to the radius of the disc.
+  const FloatLanes share = splat(friction_share<pass, Block>()), u1 = share * u.y, u2 = share * u.z;
+  FloatLanes f1 = fused(-m12, u2, fused(-m11, u1, old1));
+  FloatLanes f2 = fused(-m22, u2, fused(-m12, u1, old2));
   clamp_to_disc(lane(block.friction) * pressed, f1, f2);
   put(f1, block.impulses.tangent(0));
   put(f2, block.impulses.tangent(1));
@@ -157,7 +166,7 @@ RIGOR_FLOAT_LANES void solve_rolling(const FloatLanes& pressed, Block& block, La
 
 /// All friction of a patch: against twist (rotation about n), against slip, against rolling. u: B against A,
 /// changed by it but for the slip itself; wrench: its impulses are added.
-template <class Block>
+template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES void solve_friction(Block& block, LaneTwists& u, LaneTwists& wrench) {
   // The normal impulses Σ λ and Σ λ |p|, which bound friction.
   FloatLanes pressed = splat(0), spread = splat(0);
@@ -172,7 +181,8 @@ RIGOR_FLOAT_LANES void solve_friction(Block& block, LaneTwists& u, LaneTwists& w
   if constexpr (Block::kind.has_moments)
     twist_limit = fused(lane(block.torsional_friction), pressed, twist_limit);
   const FloatLanes old_twist = lane(block.impulses.twist());
-  const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
+  const FloatLanes share = splat(friction_share<pass, Block>());
+  const FloatLanes free_twist = fused(-lane(block.twist_mass), share * u.w.x, old_twist);
   const FloatLanes twist = smaller(larger(free_twist, -twist_limit), twist_limit);
   const FloatLanes change = twist - old_twist;
   put(twist, block.impulses.twist());
@@ -181,7 +191,7 @@ RIGOR_FLOAT_LANES void solve_friction(Block& block, LaneTwists& u, LaneTwists& w
   u.w = fused(change, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
 
   // Slip: a disc of impulses at the centre.
-  const SlipImpulse slip = solve_slip(pressed, u.v, block);
+  const SlipImpulse slip = solve_slip<pass>(pressed, u.v, block);
   wrench.v.y = wrench.v.y + slip.f1;
   wrench.v.z = wrench.v.z + slip.f2;
   u.v.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.v.x));
@@ -217,14 +227,14 @@ template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES LaneTwists solve_patch(float h, const NormalMotion& moved, LaneTwists& u, Block& block) {
   const FloatLanes zero = splat(0);
   LaneTwists wrench = {{zero, zero, zero}, {zero, zero, zero}};
-  if constexpr (pass == BlockPass::push) solve_friction(block, u, wrench);
+  if constexpr (pass == BlockPass::push) solve_friction<pass>(block, u, wrench);
   const NormalMotion normals = solve_normals<pass>(h, moved, {u.v.x, u.w.y, u.w.z}, block);
   wrench.v.x = normals.u0;
   wrench.w.y = wrench.w.y + normals.u1;
   wrench.w.z = wrench.w.z + normals.u2;
   if constexpr (pass == BlockPass::relax) {
     add_normals(block, normals, u);
-    solve_friction(block, u, wrench);
+    solve_friction<pass>(block, u, wrench);
   }
   return wrench;
 }
@@ -237,7 +247,7 @@ RIGOR_FLOAT_LANES FloatVec3 solve_point(float h, const FloatLanes& moved, FloatV
   const FloatLanes old = lane(block.impulses.normal(0));
   SlipImpulse slip;
   if constexpr (pass == BlockPass::push) {
-    slip = solve_slip(old, u, block);
+    slip = solve_slip<pass>(old, u, block);
     u.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.x));
   }
 
@@ -251,7 +261,7 @@ RIGOR_FLOAT_LANES FloatVec3 solve_point(float h, const FloatLanes& moved, FloatV
   if constexpr (pass == BlockPass::relax) {
     u.y = fused(lane(block.Kvt[0]), change, u.y);
     u.z = fused(lane(block.Kvt[1]), change, u.z);
-    slip = solve_slip(impulse, u, block);
+    slip = solve_slip<pass>(impulse, u, block);
   }
   return {change, slip.f1, slip.f2};
 }

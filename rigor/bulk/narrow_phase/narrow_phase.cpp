@@ -6,6 +6,7 @@
 #include "rigor/bulk/narrow_phase/collide_mesh.hpp"
 #include "rigor/bulk/narrow_phase/collide_polytopes.hpp"
 #include "rigor/bulk/narrow_phase/collide_round.hpp"
+#include "rigor/bulk/narrow_phase/ellipsoid_pairs.hpp"
 #include "rigor/bulk/narrow_phase/mesh_inside.hpp"
 #include "rigor/bulk/narrow_phase/pair_hints.hpp"
 #include "rigor/bulk/narrow_phase/placed_forms.hpp"
@@ -55,6 +56,7 @@ struct BlockScratch {
   PlacedPolytopes polytopes;
   MeshMeeting mesh;
   RingMeeting rings;
+  EllipsoidMeeting ellipsoids;
 };
 
 /// A part of the pairs, and the manifolds found in it.
@@ -67,6 +69,13 @@ struct alignas(64) Part {
 /// Whether one of two shapes is a solid of revolution, and the other has a core or is one too.
 bool are_ring_pair(const PlacedForm& a, const PlacedForm& b) {
   return bool(a.has_rings | b.has_rings) & bool(a.has_core | a.has_rings) & bool(b.has_core | b.has_rings);
+}
+/// Whether one of two shapes is an ellipsoid, and the other has a core or is one too, or a solid of
+/// revolution.
+bool are_ellipsoid_pair(const PlacedForm& a, const PlacedForm& b) {
+  const bool has_A = bool(a.is_ellipsoid | a.has_core | a.has_rings),
+             has_B = bool(b.is_ellipsoid | b.has_core | b.has_rings);
+  return bool(a.is_ellipsoid | b.is_ellipsoid) & has_A & has_B;
 }
 SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
   return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
@@ -108,7 +117,8 @@ struct NarrowPhase::Tables {
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = shapes.of(pair.body_A, pair.shape_A), &b = shapes.of(pair.body_B, pair.shape_B);
   const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
-  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh | are_ring_pair(a, b);
+  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh | are_ring_pair(a, b) |
+         are_ellipsoid_pair(a, b);
 }
 
 namespace {
@@ -138,18 +148,19 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
     return find_mesh(bodies, pair, place, number, scratch.mesh, manifolds);
   const bool is_other = is_exact(a.kind) || is_exact(b.kind);
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
-  const bool is_ring_pair = are_ring_pair(place.a, place.b);
+  const bool is_ring_pair = are_ring_pair(place.a, place.b),
+             is_ellipsoid_pair = are_ellipsoid_pair(place.a, place.b);
+  const RingPair round{a, placed_A, b, placed_B, place.d, pair.margin};
   polytopes.candidates.clear();
-  // Rings, where it is clear how they touch.
-  if (is_ring_pair &&
-      scratch.rings.find({a, placed_A, b, placed_B, place.d, pair.margin}, number, *place.hint, manifolds))
-    return;
+  // Rings and ellipsoids, where it is clear how they touch.
+  if (is_ring_pair && scratch.rings.find(round, number, *place.hint, manifolds)) return;
+  if (is_ellipsoid_pair && scratch.ellipsoids.find(round, number, *place.hint, manifolds)) return;
   // Planes and shapes without a core need the poses in 64 bits.
-  if (is_other || has_plane || is_ring_pair) {
+  if (is_other || has_plane || is_ring_pair || is_ellipsoid_pair) {
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
     const Pose X_OB = pose_of(b, bodies.q[at(pair.body_B)], p_OB);
-    if (is_other || is_ring_pair)
+    if (is_other || is_ring_pair || is_ellipsoid_pair)
       add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, pair.margin, number, manifolds);
     else if (a.kind == Kind::plane)
       add_plane_manifold({a, X_OA, b, placed_B, p_OB, true, pair.margin}, number, polytopes.candidates,
@@ -230,7 +241,7 @@ bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const 
   // Pairs are passed over only where the separation exceeds the margin by far more than the rounding, so that
   // they have no points by any computation.
   const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
-  if (place.a.has_rings | place.b.has_rings)
+  if (place.a.has_rings | place.b.has_rings | place.a.is_ellipsoid | place.b.is_ellipsoid)
     return separation_of({a, place_of(place.a), b, place_of(place.b), place.d, margin}, place.hint->n) >
            margin + parting_slack(rounding);
   const Vec3f d = place.d + place_of(place.b).position() - place_of(place.a).position();

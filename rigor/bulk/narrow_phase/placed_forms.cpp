@@ -39,7 +39,7 @@ PlacedForm PlacedForms::placed_form_of(const BodyShape& shape) {
   // Bodies that share a shape share its form.
   const auto [known, is_new] =
       known_.emplace(&shape, PlacedForm{static_cast<int>(forms_.size()), no_place, BulkShape::Kind::other,
-                                        false, false, false, false});
+                                        false, false, false, false, false});
   if (is_new) forms_.push_back(make_bulk_shape(shape, hulls_));
   PlacedForm own = known->second;
   own.kind = form(own).kind;
@@ -47,6 +47,7 @@ PlacedForm PlacedForms::placed_form_of(const BodyShape& shape) {
   own.has_faces = own.kind == BulkShape::Kind::box || own.kind == BulkShape::Kind::hull;
   own.has_core = own.has_faces || own.kind == BulkShape::Kind::round;
   own.has_rings = own.kind == BulkShape::Kind::rings;
+  own.is_ellipsoid = own.kind == BulkShape::Kind::ellipsoid;
   // Each shape has a place of its own, only balls about the centres of their bodies share one.
   if (own.place == no_place) {
     own.place = static_cast<int>(placed_.size());

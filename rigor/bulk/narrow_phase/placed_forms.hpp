@@ -19,7 +19,7 @@ struct PlacedForm {
   int place;
   BulkShape::Kind kind;
   bool is_ball;
-  bool has_core, has_faces, has_rings;
+  bool has_core, has_faces, has_rings, is_ellipsoid;
 };
 
 /// The forms of all shapes, which bodies that share their shapes share, and where each shape is in its body's

@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// A half-space, and a shape with a core or a solid of revolution. The frame O is the centre of body A with
-/// the axes of W.
+/// A half-space, and a shape with a core, a solid of revolution or an ellipsoid. The frame O is the centre of
+/// body A with the axes of W.
 struct PlanePair {
   const BulkShape& plane;
   const Pose& X_OP;

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Two shapes, of which one is a solid of revolution and the other has a core or is one too; d is from the
-/// centre of body A to that of body B.
+/// Two shapes, of which one is a solid of revolution or an ellipsoid and the other has a core or is one of
+/// these too; d is from the centre of body A to that of body B.
 struct RingPair {
   const BulkShape& a;
   const PlacedShape& placed_A;
@@ -19,6 +19,9 @@ struct RingPair {
 
 /// What n parts them by, with what their cores are grown by.
 float separation_of(const RingPair& pair, const Vec3f& n);
+/// Whether the line of their centres parts them by more than the margin, as it does many pairs: then it is
+/// the hint.
+bool part_by_centres(const RingPair& pair, PairHint& hint);
 
 /// Finds their manifolds. It holds its working memory; its answers depend on the poses alone.
 class RingMeeting {

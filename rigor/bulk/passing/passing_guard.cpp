@@ -377,6 +377,26 @@ void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bo
   own_share = 1;
 }
 
+/// Adds the pairs of which one body has been stopped and the other goes on: contacts do not know of it, so
+/// that what moves as fast as a body that is stopped would go into it, a little in each step.
+void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies) {
+  constexpr double share_of_thickness = 0.05;
+  const auto share_of = [&](int body) { return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1; };
+  for (const ShapePair& pair : pairs) {
+    const double share_A = share_of(pair.body_A), share_B = share_of(pair.body_B);
+    if (share_A == share_B) continue;
+    const Vec3 path = share_A * vector_of(bodies.motion[at(pair.body_A)].dp) -
+                      share_B * vector_of(bodies.motion[at(pair.body_B)].dp);
+    if (path.norm() <= share_of_thickness * thinner(pair)) continue;
+    const auto is_pair = [&](const FarPair& far) {
+      return far.body_A == pair.body_A && far.body_B == pair.body_B && far.shape_A == pair.shape_A &&
+             far.shape_B == pair.shape_B;
+    };
+    if (std::none_of(far_.begin(), far_.end(), is_pair))
+      far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+  }
+}
+
 const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<ShapePair>& pairs,
                                                              double margin, const Executor& executor,
                                                              BulkBodies& bodies) {
@@ -412,6 +432,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;
+    add_followers(pairs, bodies);
   }
 
   for (int i = 0; i < bodies.count(); ++i) {

@@ -96,6 +96,7 @@ class PassingGuard {
   float reach(int body, const float* linear, const float* angular) const;
   bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
+  void add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies);
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   bool bends(int body, const BulkBodies& bodies) const;

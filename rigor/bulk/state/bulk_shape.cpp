@@ -253,9 +253,12 @@ struct FillCore {
       hulls.meshes.emplace_back(s.tree.get(), bulk.mesh);
     }
   }
-  // These are only treated in double precision.
-  void operator()(const Ellipsoid&) const {}
-  void operator()(const Cavity&) const {}
+  void operator()(const Ellipsoid& s) const {
+    bulk.kind = BulkShape::Kind::ellipsoid;
+    bulk.scale = s.radii.cast<float>();
+    bulk.extent = bulk.scale.maxCoeff();
+  }
+  void operator()(const Cavity&) const {}  // Only treated in double precision.
 
   void operator()(const Cylinder& s) const {
     fill_rings({s.radius, -s.half_length}, {s.radius, s.half_length});

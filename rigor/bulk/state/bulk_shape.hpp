@@ -91,10 +91,10 @@ struct FloatRings {
 FloatRings make_float_rings(const Ring& lower, const Ring& upper);
 
 /// What the narrow phase knows of a shape: a core of vertices, which is `hull` scaled by `scale` along its
-/// axes, grown by `radius`; or `rings`; or a half-space; or a mesh; or a shape that is only treated in double
-/// precision.
+/// axes, grown by `radius`; or `rings`; or an ellipsoid with the radii `scale`; or a half-space; or a mesh;
+/// or a shape that is only treated in double precision.
 struct BulkShape {
-  enum class Kind : std::int8_t { round, box, hull, rings, plane, mesh, other };
+  enum class Kind : std::int8_t { round, box, hull, rings, ellipsoid, plane, mesh, other };
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
@@ -102,7 +102,8 @@ struct BulkShape {
   std::shared_ptr<const FloatHull> hull;
   std::shared_ptr<const FloatMesh> mesh;
   FloatRings rings;             ///< Of a solid of revolution; balls and capsules are such solids too.
-  Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
+  Vec3f scale = Vec3f::Ones();  ///< Half extents of a box, radii of an ellipsoid; (1, 1, half length) of a
+                                ///< segment [m].
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
   /// How far the ball inside the core can be moved along the axes of S, both ways [m].

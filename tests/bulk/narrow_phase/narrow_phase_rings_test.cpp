@@ -154,6 +154,26 @@ TEST(NarrowPhaseRings, GapsAreTheSignedDistanceAndPointsAreOnBothShapes) {
   EXPECT_LT(off, count / 20);
 }
 
+/// Bodies that are fast have a wide margin, within which a cap may come to lie on the other solid: its points
+/// are no deeper than the pair is.
+TEST(NarrowPhaseRings, ASecondManifoldIsNoDeeperThanThePair) {
+  Draw draw(5);
+  int seconds = 0;
+  for (int k = 0; k < 600; ++k) {
+    SCOPED_TRACE(k);
+    const PlacedPair pair = draw_pair(draw, draw_ring_shape(draw, k % 2 == 0), draw_other(draw, k % 3), 2 * k,
+                                      -draw.uniform(0.01, 0.1));
+    float least[2] = {INFINITY, INFINITY};
+    for (const PairManifold& found : manifolds_of(pair, 0.2f)) {
+      for (int i = 0; i < found.manifold.point_count; ++i)
+        least[found.part] = std::min(least[found.part], found.manifold.points[at(i)].gap);
+    }
+    if (least[1] < INFINITY) ++seconds;
+    EXPECT_GE(least[1], least[0]);
+  }
+  EXPECT_GT(seconds, 50);
+}
+
 TEST(NarrowPhaseRings, NoDirectionPartsTwoSolidsOfRevolutionBetterThanTheirDistance) {
   const auto numbers_of = [](const Shape& shape, const Pose& X_W) {
     FloatHulls hulls;

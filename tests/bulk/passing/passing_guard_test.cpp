@@ -231,5 +231,50 @@ TEST(PassingGuard, NoThickLimbPassesABodyAtRest) {
   }
 }
 
+/// Heavy balls, one above the other, fall on a light one that sweeps alone hold (it has a joint): they take
+/// many steps to stop them, and the guard keeps the lowest from passing it. Those above it went into it
+/// meanwhile, by 1.8 m, since their velocities are the same.
+TEST(PassingGuard, WhatFollowsABodyThatIsStoppedStopsToo) {
+  for (const double radius : {0.6, 0.9}) {
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 1000, 0.5, 0});
+    builder.add_material({"light", 50, 0.5, 0});
+    BodyDescription ground = random_body("ground", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
+    ground.motion = MotionType::fixed;
+    builder.add_body(ground);
+    for (int k = 0; k < 2; ++k) {
+      BodyDescription light =
+          random_body("light " + std::to_string(k), Sphere{0.05}, Vec3(0.11 * k, 0, 0.05));
+      light.shapes[0].material = "light";
+      builder.add_body(light);
+    }
+    ModelBuilder::JointDescription joint;
+    joint.name = "joint";
+    joint.type = JointType::ball;
+    joint.bodies = {"light 0", "light 1"};
+    joint.anchors = {Vec3(0.055, 0, 0.05)};
+    builder.add_joint(joint);
+    for (int k = 0; k < 4; ++k) {
+      BodyDescription ball = random_body("ball " + std::to_string(k), Sphere{radius},
+                                         Vec3(0, 0, 0.2 + radius + (2 * radius + 0.3) * k));
+      ball.velocity = Vec3(0, 0, -15);
+      builder.add_body(ball);
+    }
+    const std::shared_ptr<const Model> model = builder.build();
+    State state = make_initial_state(*model);
+    BulkWorld world(model, {});
+    world.read(state);
+    double nearest = INFINITY;
+    for (int k = 0; k < 60; ++k) {
+      world.step(1.0 / 60);
+      for (std::size_t i = 4; i < 7; ++i)
+        nearest = std::min(nearest, (world.bodies().x[i] - world.bodies().x[i - 1]).norm());
+    }
+    // A quarter of the thickness, and what each step may add to it.
+    EXPECT_GT(nearest, 1.5 * radius);
+  }
+}
+
 }  // namespace
 }  // namespace rigor::passing_guard_test
