@@ -175,12 +175,14 @@ SystemStep integrate(IntegratorName name, OrientationForm form, std::span<const 
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): as above.
 SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
                           std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
                           const IntegratorTolerances& tolerances) {
   return integrate(name, form, inertias, start, t, h, wrenches, tolerances, true);
 }
 
+// NOLINTNEXTLINE(readability-function-size): as above.
 SystemStep integrate_end_of_step(IntegratorName name, OrientationForm form,
                                  std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
                                  double t, double h, const WrenchField& wrenches,

@@ -97,6 +97,7 @@ bool has_audit_quantity(const Model& model, std::string_view name) {
 
 std::vector<std::string> audit_quantity_names(const Model& model) {
   std::vector<std::string> names;
+  names.reserve(std::size(short_names));
   for (const ShortName& own : short_names) names.emplace_back(own.name);
   add_paths(empty_audit(model), "", names);
   return names;

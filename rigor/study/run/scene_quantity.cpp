@@ -130,6 +130,7 @@ std::optional<SceneQuantity> find_quantity(const Model& model, std::string_view 
 
 std::vector<std::string> quantity_names(const Model& model) {
   std::vector<std::string> names;
+  names.reserve(std::size(energy_parts));
   for (const std::string_view part : energy_parts) names.push_back("energy." + std::string(part));
   for (const std::string& part : audit_quantity_names(model)) names.push_back("audit." + part);
   for (const char* const name : {"momentum", "momentum.x", "momentum.y", "momentum.z"})
