@@ -111,9 +111,16 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
     const bool is_apart =
         std::any_of(of_pair.begin(), of_pair.end(), [&](std::size_t i) { return rates[normal_row(i)] > 0; });
     if (of_pair.size() < 2 || !is_apart) continue;
-    VecX rigid = rates;
-    make_rigid(system, of_pair, rigid);
-    if ((rigid - rates).cwiseAbs().maxCoeff() <= resolution) rates = rigid;
+    std::vector<Vec3> given;
+    for (const std::size_t i : of_pair) given.emplace_back(rates.segment<3>(normal_row(i) - 2));
+    make_rigid(system, of_pair, rates);
+    const auto change = [&](std::size_t k) {
+      return (rates.segment<3>(normal_row(of_pair[k]) - 2) - given[k]).cwiseAbs().maxCoeff();
+    };
+    double largest = 0;
+    for (std::size_t k = 0; k < given.size(); ++k) largest = std::max(largest, change(k));
+    if (largest <= resolution) continue;
+    for (std::size_t k = 0; k < given.size(); ++k) rates.segment<3>(normal_row(of_pair[k]) - 2) = given[k];
   }
   return rates;
 }

@@ -101,11 +101,12 @@ class MotionSolver {
     }
     motion_.factor(D, Symmetry::positive);
     const VecX left = motion_.rates(motion_.solve(-motion_.apply_transpose(forces))) + laws_.b;
+    const double most = kShare * laws_.b.cwiseAbs().maxCoeff();
     for (std::size_t k = 0; k < D.size(); ++k) {
       const Index row = 3 * static_cast<Index>(k);
       const double of_contact =
           laws_.mu[k] > 0 ? left.segment<3>(row).cwiseAbs().maxCoeff() : std::abs(left(row + 2));
-      if (of_contact > kShare * laws_.b.cwiseAbs().maxCoeff()) return false;
+      if (of_contact > most) return false;
     }
     return true;
   }
