@@ -1,11 +1,13 @@
 #include "rigor/sim/work_estimate.hpp"
 
 #include "rigor/core/interrupt.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/method/scheme_check.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -19,6 +21,14 @@ double time_of_unit(Scheme scheme) {
   constexpr double of_question = 1.7e-6, of_substep_and_body = 1e-5;
   return scheme == Scheme::impulse_based ? of_question : of_substep_and_body;
 }
+
+/// Processor time of an operation of the equations of joints (count_work) [s].
+constexpr double time_of_operation = 1e-7;
+
+/// Of a scheme [1/s of simulated time].
+struct WorkRate {
+  double units, operations;
+};
 
 bool has_estimate(const Method& method) {
   return method.scheme == Scheme::impulse_based ||
@@ -88,6 +98,8 @@ State as_start(const Model& model, const Method& method, const State& found) {
 struct TrialLength {
   double longest;       ///< [s].
   long most_questions;  ///< So often the scheme may ask whether to go on.
+  /// Operations of joints that it may take: some tenths of a second.
+  std::uint64_t most_operations = 1'500'000;
 };
 
 /// Trains of collisions build up within some hundredths of a second; springs do not. Of many bodies a
@@ -99,32 +111,40 @@ TrialLength trial_length(Scheme scheme, int bodies) {
   return {of_few.longest, std::max(least, of_few.most_questions * 12 / std::max(12, bodies))};
 }
 
-/// Units of work in a second of simulated time about this State.
-double rate_from(const std::shared_ptr<const Model>& model, const Method& method, double target_step,
-                 State state) {
+/// What a second of simulated time about this State costs.
+WorkRate rate_from(const std::shared_ptr<const Model>& model, const Method& method, double target_step,
+                   State state) {
   // Collisions that are too many for a trial feed each other. How far they grow was not measured, only that
   // heaps of eight boxes and more did not end: this factor takes them, and none that ended, beyond a minute.
   constexpr double shortest = 1e-4, growth_of_crowds = 60;
   const bool collides = method.scheme == Scheme::impulse_based;
-  const auto [longest, most_questions] = trial_length(method.scheme, dynamic_bodies(*model));
+  const TrialLength trial = trial_length(method.scheme, dynamic_bodies(*model));
   const double begin = state.t, bodies = dynamic_bodies(*model);
+  const std::uint64_t counted_before = work_counted();
   long questions = 0;
   double substeps = 0;
+  const auto operations = [&] { return work_counted() - counted_before; };
   const std::unique_ptr<Stepper> stepper = make_stepper(model, method, target_step);
-  stepper->set_interrupt([&questions, most = most_questions] { return ++questions > most; });
+  stepper->set_interrupt(
+      [&] { return ++questions > trial.most_questions || operations() > trial.most_operations; });
 
-  // Spans twice as long each, until they are long or the questions many.
+  // Spans twice as long each, until they are long or the work is much.
   const auto rate = [&](double span) {
-    return (collides ? static_cast<double>(questions) : bodies * substeps) / span;
+    return WorkRate{(collides ? static_cast<double>(questions) : bodies * substeps) / span,
+                    static_cast<double>(operations()) / span};
   };
-  for (double span = shortest; state.t - begin < longest; span *= 2) {
+  for (double span = shortest; state.t - begin < trial.longest; span *= 2) {
     const AdvanceReport report = stepper->advance(state, state.t + span);
-    if (report.reason == StopReason::interrupted && collides)
-      return growth_of_crowds * rate(state.t - begin + span);
+    if (report.reason == StopReason::interrupted && collides) {
+      WorkRate grown = rate(state.t - begin + span);
+      // Of jointed bodies the operations tell more.
+      if (model->joints().empty()) grown.units *= growth_of_crowds;
+      return grown;
+    }
     if (report.reason != StopReason::reached_end) break;
     substeps += static_cast<double>(report.steps);
   }
-  return state.t > begin ? rate(state.t - begin) : 0;
+  return state.t > begin ? rate(state.t - begin) : WorkRate{};
 }
 
 }  // namespace
@@ -133,19 +153,25 @@ WorkEstimate estimate_work(const std::shared_ptr<const Model>& model, const Meth
                            const RunSettings& settings, const State& start) {
   WorkEstimate work;
   const double left = settings.duration - start.t;
-  const bool has_mechanisms = !model->joints().empty() || !model->drives().empty();
-  if (!has_estimate(method) || has_mechanisms || left <= 0) return work;
+  if (!has_estimate(method) || !model->drives().empty() || left <= 0) return work;
 
   // The start stands for the first eighth of the run, each moment for the quarter about it.
-  const double at_start = rate_from(model, method, settings.step, start);
-  std::vector<double> rates;
+  const WorkRate at_start = rate_from(model, method, settings.step, start);
+  std::vector<WorkRate> rates;
   for (const State& found : pilot_states(model, settings, start)) {
     rates.push_back(rate_from(model, method, settings.step, as_start(*model, method, found)));
   }
-  double sum = 0.5 * (at_start - rates.front());
-  for (const double rate : rates) sum += rate;
-  work.amount = left * sum / static_cast<double>(rates.size());
-  work.seconds = work.amount * time_of_unit(method.scheme);
+  WorkRate sum{0.5 * (at_start.units - rates.front().units),
+               0.5 * (at_start.operations - rates.front().operations)};
+  for (const WorkRate& rate : rates) {
+    sum.units += rate.units;
+    sum.operations += rate.operations;
+  }
+  const double share = left / static_cast<double>(rates.size());
+  work.amount = share * sum.units;
+  // Whichever is more: the equations of joints are among what the units stand for.
+  const double of_joints = model->joints().empty() ? 0 : time_of_operation * share * sum.operations;
+  work.seconds = std::max(work.amount * time_of_unit(method.scheme), of_joints);
   return work;
 }
 

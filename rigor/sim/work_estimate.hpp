@@ -18,7 +18,8 @@ struct WorkEstimate {
 };
 
 /// Foresees the work of `impulse-based` and `penalty: local`; nothing of other schemes, whose steps are few
-/// or which `auto` leaves where events crowd, nor of scenes with joints or drives.
+/// or which `auto` leaves where events crowd, nor of scenes with drives. Of jointed bodies the equations of
+/// the joints count.
 ///
 /// A pilot run by `solver: substep`, which is quick for any scene, gives states along the run. From each the
 /// scheme itself goes on for some hundredths of a second of simulated time, or until it has asked often.
