@@ -111,6 +111,31 @@ FreeMotion dragged_motion(const Body& body, const BodyKinetics& kinetics, const 
   return motion;
 }
 
+/// What the free motions of a step depend on.
+struct StepStart {
+  const Model& model;
+  const Environment& environment;
+  const ContactSystem& system;
+  const std::vector<Wrench>& wrenches;  ///< Of the environment, one per body of the system.
+};
+
+std::vector<FreeMotion> free_motions(const StepStart& start, const Island& island, double h) {
+  std::vector<FreeMotion> motions;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const int body = island.bodies[i];
+    const BodyKinetics& kinetics = start.system.of(body);
+    const BodyPhase& phase = island.start[i];
+    const Wrench& wrench = start.wrenches[at(start.system.local_index(body))];
+    if (start.environment.has_drag(body)) {
+      motions.push_back(
+          dragged_motion(start.model.body(body), kinetics, phase, start.environment.drag(body), wrench, h));
+    } else {
+      motions.push_back(forced_motion(kinetics, phase, wrench, h));
+    }
+  }
+  return motions;
+}
+
 /// The displacement of the mean velocity: exact where the acceleration is constant, and no contact closes by
 /// more than its gap.
 void move_by_mean_velocities(const Island& island, const std::vector<FreeMotion>& free,
@@ -130,17 +155,10 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   std::vector<BodyPhase> phases = island.start;
   const ContactSystem at_start = assembler_.assemble(island, island.begin, phases);
   const std::vector<Wrench> wrenches = assembler_.environment_wrenches(at_start, island.begin);
-
   IslandStep result{h, {}, {}, 0, 0};
   result.is_implicit = true;
-  std::vector<FreeMotion> free;
+  const std::vector<FreeMotion> free = free_motions({model_, environment_, at_start, wrenches}, island, h);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const int body = island.bodies[i];
-    const BodyKinetics& kinetics = at_start.of(body);
-    const Wrench& wrench = wrenches[at(at_start.local_index(body))];
-    free.push_back(environment_.has_drag(body) ? dragged_motion(model_.body(body), kinetics, phases[i],
-                                                                environment_.drag(body), wrench, h)
-                                               : forced_motion(kinetics, phases[i], wrench, h));
     phases[i].P = free[i].end.P;
     phases[i].L = free[i].end.L;
     result.impulse += free[i].impulse;
@@ -190,8 +208,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   result.end = std::move(phases);
   close_implicit_step(island, result);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyKinetics& before = at_start.of(island.bodies[i]);
-    result.dense.push_back(quadratic_dense_phase(island.start[i], result.end[i], before.v, before.w, h));
+    result.dense.push_back(quadratic_dense_phase(island.start[i], result.end[i], free[i].v, free[i].w, h));
   }
   return result;
 }

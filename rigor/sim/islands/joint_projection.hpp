@@ -34,6 +34,8 @@ class JointProjection {
     int joint;                        ///< Which one that is.
     bool has_motors;                  ///< Whether there are motors without a limit of force.
   };
+  /// The impulses of the joints of the system after which they have the rates that they want.
+  void give_rates(const ContactSystem& system, Cluster& cluster, AdvanceReport& report) const;
   Unresolved loop_against_motor(const std::vector<int>& bodies) const;
   Closed close_joints(double t, const std::vector<int>& bodies, bool with_motors,
                       std::vector<BodyPhase>& phases) const;

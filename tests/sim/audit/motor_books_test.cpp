@@ -134,6 +134,48 @@ TEST(MotorBooks, AMotorWithoutLimitDoesTheWorkOfTheJumpToItsSpeedOnce) {
   }
 }
 
+// What a joint takes to give bodies velocities that it allows is no work of its motor.
+TEST(MotorBooks, AMotorWithoutLimitGainsNothingOfBodiesThatItsJointDoesNotLetMoveSo) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&](double size) {
+    const double x = unit(random), y = unit(random), z = unit(random);
+    return Vec3(size * Vec3(x, y, z));
+  };
+  for (int k = 0; k < 40; ++k) {
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    for (const char* const name : {"a", "b"}) {
+      BodyDescription body;
+      body.name = name;
+      body.p_WU = vector(1);
+      body.velocity = vector(3);
+      body.angular_velocity = vector(4);
+      body.inertia = GivenInertia{2 + unit(random), Vec3::Zero(), Vec3(0.5, 0.6, 0.7), Vec3::Zero()};
+      builder.add_body(body);
+    }
+    JointDescription joint;
+    joint.name = "drive";
+    joint.type = k % 2 == 0 ? JointType::hinge : JointType::slider;
+    joint.bodies = {"a", "b"};
+    joint.anchors = {Vec3::Zero()};
+    joint.axis = vector(1).normalized();
+    JointAxis axis;
+    axis.motor = JointMotor{10 * unit(random)};
+    joint.axes = {axis};
+    builder.add_joint(joint);
+    const auto model = builder.build();
+    for (const Scheme scheme :
+         {Scheme::event_driven, Scheme::hybrid, Scheme::impulse_based, Scheme::time_stepping}) {
+      Method method;
+      method.scheme = scheme;
+      const RunResult result = run(model, method, 0.02);
+      EXPECT_TRUE(result.audit.violations.empty())
+          << k << method_choice(method, "scheme") << result.audit.violations.front();
+    }
+  }
+}
+
 TEST(MotorBooks, EffortsFollowNewtonAndEuler) {
   // A motor of limited force that accelerates, and one without limit that carries a weight.
   JointAxis limited;
