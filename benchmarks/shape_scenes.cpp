@@ -124,8 +124,7 @@ std::shared_ptr<const Model> make_ellipsoids() {
   const Grid grid{10, 1.15, 1};
   for (int k = 0; k < 1000; ++k) {
     const Vec3 radii(draws.between(0.25, 0.4), draws.between(0.2, 0.45), draws.between(0.2, 0.45));
-    add_body(fmt::format("ellipsoid{}", k), Ellipsoid{radii}, grid.place(k), draw_rotation(draws),
-             builder);
+    add_body(fmt::format("ellipsoid{}", k), Ellipsoid{radii}, grid.place(k), draw_rotation(draws), builder);
   }
   return builder.build();
 }

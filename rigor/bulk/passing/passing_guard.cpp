@@ -171,11 +171,26 @@ bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bo
   return mesh.tree->overlapping(path.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
 }
 
+/// How far points move against each other of a body that is wide and turns, and of another that is near a
+/// place on it and may go along with it: where the other is, and about as far around as it reaches [m].
+double PassingGuard::path_on(int body, int other, const BulkBodies& bodies) const {
+  const MotionRecord &own = bodies.motion[at(body)], &of_other = bodies.motion[at(other)];
+  const Vec3 r = bodies.x[at(other)] - bodies.x[at(body)], turn = vector_of(own.dr);
+  const double angle = turn.norm();
+  return (vector_of(own.dp) + turn.cross(r) - vector_of(of_other.dp)).norm() +
+         angle * (model_->body(other).bounding_radius + 0.5 * angle * r.norm()) +
+         turning_[at(other)] * norm_of(of_other.dr);
+}
+
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
 bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
   const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
-  const double path = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
-                      turning_[at(pair.body_B)] * norm_of(B.dr);
+  double path = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
+                turning_[at(pair.body_B)] * norm_of(B.dr);
+  if (!(path > near_share * thinner(pair))) return false;
+  // A half-space has no radius, and what follows is no number: the path stays.
+  path = std::min(path, path_on(pair.body_A, pair.body_B, bodies));
+  path = std::min(path, path_on(pair.body_B, pair.body_A, bodies));
   return path > near_share * thinner(pair) && !keeps_off_surface(pair, bodies);
 }
 

@@ -94,6 +94,7 @@ class PassingGuard {
   double thinner(const ShapePair& pair) const;
   bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
   float reach(int body, const float* linear, const float* angular) const;
+  double path_on(int body, int other, const BulkBodies& bodies) const;
   bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
   void add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies);
