@@ -92,5 +92,17 @@ TEST(HeapProblem, HasTheContactsThatItsRulesSay) {
   EXPECT_EQ(closing, 4);
 }
 
+/// Without rows and without a resolution, by A alone; the chain of methods for few contacts takes minutes.
+TEST(HeapProblem, OfManyContactsIsSolvedInContactSpace) {
+  const MotionProblem rows = problem_of({Kind::wall, 6, 0.1, 5});
+  CoulombProblem problem = rows.laws;
+  problem.A = contact_response(rows.rows);
+  ASSERT_GE(problem.mu.size(), 200);
+  const CoulombSolution solution = solve_coulomb(problem);
+  EXPECT_TRUE(solution.converged);
+  EXPECT_LE(residual_of(rows, solution.lambda), kSolved);
+  EXPECT_EQ(solution.method, "proximal points");
+}
+
 }  // namespace
 }  // namespace rigor::heaps

@@ -252,6 +252,21 @@ std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem
   return labelled(std::move(exact), solution->iterations, "proximal points");
 }
 
+/// Of many contacts: what they do by proximal points that begin from the interior of the cones, refined to
+/// the forces of least norm where these are asked for.
+CoulombSolution solve_many(const CoulombProblem& problem, const CoulombOptions& options,
+                           const CoulombSolution& start) {
+  std::optional<CoulombSolution> found = solve_by_proximal_points(
+      problem, FactoredMotion(problem.A), [&](const VecX& lambda) { return largest_term(problem, lambda); },
+      {.enough = options.tolerance, .gives_best = true, .is_bold = true});
+  if (!found || !(found->residual < start.residual)) return start;
+  if (!options.least_norm && found->converged) return *found;
+  CoulombSolution polished =
+      polish_coulomb(problem, guess_of_forces(problem, found->lambda, found->modes), options.tolerance);
+  return labelled(polished.residual < found->residual ? std::move(polished) : std::move(*found),
+                  found->iterations, "proximal points");
+}
+
 CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
   // Without unknown slips pivoting alone solves it.
   if (is_linear(problem)) {
@@ -278,6 +293,13 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
     if (seeded.converged)
       return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
     if (seeded.residual < start.residual) start = seeded;
+  }
+
+  // Of many contacts the chain would take minutes.
+  constexpr std::size_t kFewestMany = 200;
+  if (!options.resolution && problem.mu.size() >= kFewestMany) {
+    start = solve_many(problem, options, start);
+    if (start.converged) return start;
   }
 
   // b is exact: the chain alone.

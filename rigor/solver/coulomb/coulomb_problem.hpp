@@ -75,7 +75,8 @@ struct CoulombOptions {
 ///
 /// A chain of methods, cheapest first; each only guesses what the contacts do, and polish_coulomb refines the
 /// guess to round-off: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block
-/// Gauss–Seidel. With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before
+/// Gauss–Seidel. Of 200 contacts and more proximal points from the interior of the cones (interior_point.hpp)
+/// come first. With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before
 /// the last two, else after them.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
