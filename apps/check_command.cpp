@@ -2,6 +2,7 @@
 #include "apps/cost_estimate.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/overlap_text.hpp"
+#include "apps/singular_warning.hpp"
 #include "apps/slow_warning.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
@@ -81,8 +82,9 @@ ExitCode execute(const CheckOptions& options) {
       const Scene scene = read_and_check(path);
       const std::string study = study_line(path);
       for (const std::string& warning : scene.warnings) print_warning(warning);
-      const std::string slow = slow_warning(scene, make_initial_state(*scene.model));
-      if (!slow.empty()) print_warning(slow);
+      const State start = make_initial_state(*scene.model);
+      for (const std::string& warning : {singular_warning(scene, start), slow_warning(scene, start)})
+        if (!warning.empty()) print_warning(warning);
       fmt::print("{}: {}: {}\n{}{}", path, toned("ok", Tone::good, stdout), summary(scene),
                  choice_line(scene), study);
       if (options.has_estimate && !print_estimate(path)) return exit_interrupted;

@@ -2,6 +2,7 @@
 #include "apps/commands.hpp"
 #include "apps/run_recorder.hpp"
 #include "apps/run_start.hpp"
+#include "apps/singular_warning.hpp"
 #include "apps/slow_warning.hpp"
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
@@ -119,7 +120,8 @@ ExitCode execute(const RunOptions& options) {
   for (const std::string& warning : scene.warnings) print_warning(warning);
   const Start start = options.resume.empty() ? begun(options, scene) : resumed(options, scene);
   for (const std::string& warning : start.warnings) print_warning(warning);
-  if (const std::string warning = slow_warning(scene, start.state); !warning.empty()) print_warning(warning);
+  for (const std::string& warning : {singular_warning(scene, start.state), slow_warning(scene, start.state)})
+    if (!warning.empty()) print_warning(warning);
 
   RunRecorder recorder(options, scene, start.state.t, start.earlier ? start.earlier->wall_time : 0);
   const Observer observer = [&recorder](const State& state, const AdvanceReport& since,

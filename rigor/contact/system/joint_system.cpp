@@ -273,6 +273,20 @@ std::pair<double, int> JointSystem::largest_residual() const {
   return largest;
 }
 
+std::pair<double, int> JointSystem::largest_contradiction(const std::vector<Vec6>& a) const {
+  std::pair<double, int> largest{0, -1};
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const Item& item = items_[i];
+    Vec6 rate = Vec6::Zero();
+    rate.head(item.rows.size) = biases_.segment(item.first, item.rows.size);
+    for (int side = 0; side < item.rows.side_count; ++side)
+      rate.head(item.rows.size) += item.rows.J[at(side)].topRows(item.rows.size) * a[item.places[at(side)]];
+    const double size = rate.cwiseAbs().maxCoeff();
+    if (size > largest.first) largest = {size, joints_[i]};
+  }
+  return largest;
+}
+
 JointSystem::Response JointSystem::respond(const std::vector<Vec6>& f, const VecX& c) const {
   // The wrenches on the held bodies.
   VecX stacked(6 * static_cast<Eigen::Index>(bodies_of_nodes_.size()));

@@ -67,6 +67,10 @@ class JointSystem {
   /// Largest |g| and the joint that has it.
   std::pair<double, int> largest_residual() const;
 
+  /// Largest |G a + bias| under these accelerations, one per body of the list, and the joint that has it:
+  /// rows that followed from others may contradict them where bodies move.
+  std::pair<double, int> largest_contradiction(const std::vector<Vec6>& a) const;
+
   /// What held bodies do under wrenches (or impulses): M a = f + Gᵀ λ, G a = c.
   struct Response {
     std::vector<Vec6> a;  ///< One per body of the list; zero if it is not held.
