@@ -7,6 +7,7 @@
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/io/trajectory/fingerprint.hpp"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -111,6 +113,18 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
   return audit.violations.empty() ? exit_done : exit_audit_violated;
 }
 
+/// Warnings of what the run will meet. A signal ends the search for them; the run then ends where it begins.
+void print_foresight(const Scene& scene, const State& start, const RunRecorder& recorder) {
+  const std::function<bool()> has_to_end = [&] { return recorder.was_interrupted(); };
+  const InterruptScope scope(has_to_end);
+  try {
+    for (const std::string& warning : {singular_warning(scene, start), slow_warning(scene, start)})
+      if (!warning.empty()) print_warning(warning);
+  } catch (const Interrupted&) {
+    return;
+  }
+}
+
 }  // namespace
 
 ExitCode execute(const RunOptions& options) {
@@ -120,10 +134,9 @@ ExitCode execute(const RunOptions& options) {
   for (const std::string& warning : scene.warnings) print_warning(warning);
   const Start start = options.resume.empty() ? begun(options, scene) : resumed(options, scene);
   for (const std::string& warning : start.warnings) print_warning(warning);
-  for (const std::string& warning : {singular_warning(scene, start.state), slow_warning(scene, start.state)})
-    if (!warning.empty()) print_warning(warning);
 
   RunRecorder recorder(options, scene, start.state.t, start.earlier ? start.earlier->wall_time : 0);
+  print_foresight(scene, start.state, recorder);
   const Observer observer = [&recorder](const State& state, const AdvanceReport& since,
                                         const Auditor& auditor) {
     return recorder.observe(state, since, auditor);

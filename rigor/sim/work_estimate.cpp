@@ -64,6 +64,7 @@ std::vector<State> pilot_states(const std::shared_ptr<const Model>& model, const
   std::vector<State> states;
   State state = start;
   for (int k = 0; k < parts; ++k) {
+    poll_interrupt();
     const double t = start.t + std::min(reach, left * (k + 0.5) / parts);
     if (t > state.t && stepper->advance(state, t).reason != StopReason::reached_end) break;
     states.push_back(state);
@@ -134,6 +135,7 @@ WorkRate rate_from(const std::shared_ptr<const Model>& model, const Method& meth
                     static_cast<double>(operations()) / span};
   };
   for (double span = shortest; state.t - begin < trial.longest; span *= 2) {
+    poll_interrupt();
     const AdvanceReport report = stepper->advance(state, state.t + span);
     if (report.reason == StopReason::interrupted && collides) {
       WorkRate grown = rate(state.t - begin + span);

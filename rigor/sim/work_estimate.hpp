@@ -25,7 +25,7 @@ struct WorkEstimate {
 /// scheme itself goes on for some hundredths of a second of simulated time, or until it has asked often.
 /// Nothing is timed: work is counted, and so are the lengths of pilot and trials, so that the answer is the
 /// same on every machine. It takes some milliseconds of a scene that is small or scattered, up to two seconds
-/// of a crowd.
+/// of a crowd. Throws Interrupted if the scope of this thread asks for an end.
 WorkEstimate estimate_work(const std::shared_ptr<const Model>& model, const Method& method,
                            const RunSettings& settings, const State& start);
 

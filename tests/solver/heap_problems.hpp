@@ -30,7 +30,9 @@ struct Heap {
   unsigned seed;
 };
 
-/// The 60 problems: 8 to 1,924 contacts.
+/// The 60 problems: 8 to 1,924 contacts. They say nothing of how often problems are solved: what was far from
+/// it was left out, balls of seven layers (413 contacts: 1.8e-4 at rest, 7e-5 struck) and walls of eleven and
+/// sixteen layers that are struck hard (2e-8, 1.5e-10).
 std::vector<Heap> all_heaps();
 std::string name_of(const Heap& heap);
 MotionProblem problem_of(const Heap& heap);

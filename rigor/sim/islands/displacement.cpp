@@ -22,8 +22,8 @@ VecX separating_impulses(const ContactSystem& system, const std::vector<double>&
   }
 
   // Of many contacts on the sparse rows: any share of the load makes the same displacements. What they miss
-  // is a ten-millionth of the overlaps, which is looked for afterwards anyway; pivoting on a thousand rows for
-  // more digits takes a minute.
+  // is a ten-millionth of the overlaps, which is looked for afterwards anyway; pivoting on a thousand rows
+  // for more digits takes a minute.
   constexpr std::size_t most_in_dense_methods = 16;
   constexpr double accepted_miss = 1e-7;
   const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),

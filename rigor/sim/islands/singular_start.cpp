@@ -25,9 +25,8 @@ struct Mechanism {
     for (const int body : bodies) {
       const BodyPhase still{state.position(body), state.orientation(body), Vec3::Zero(), Vec3::Zero()};
       const bool is_dynamic = of.body(body).motion == MotionType::dynamic;
-      BodyKinetics& of_body =
-          kinetics.emplace_back(is_dynamic ? dynamic_kinetics(of.body(body), still)
-                                           : prescribed_kinetics(of.body(body), state.t));
+      BodyKinetics& of_body = kinetics.emplace_back(is_dynamic ? dynamic_kinetics(of.body(body), still)
+                                                               : prescribed_kinetics(of.body(body), state.t));
       of_body.v = of_body.w = Vec3::Zero();
     }
   }

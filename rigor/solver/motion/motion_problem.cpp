@@ -41,8 +41,8 @@ class MotionSolver {
   }
 
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
-    // Without friction the nearest point shows the modes; of many contacts proximal points find it sooner, and
-    // of very many they alone. A start near the solution is best refined itself.
+    // Without friction the nearest point shows the modes; of many contacts proximal points find it sooner,
+    // and of very many they alone. A start near the solution is best refined itself.
     if (is_frictionless() && is_many_to_resolution()) {
       std::optional<CoulombSolution> solution = solve_to_resolution();
       if (solution && (solution->converged || !is_dense_enough())) return solution;
@@ -130,8 +130,8 @@ class MotionSolver {
     return guess;
   }
 
-  /// The dense search for the nearest point takes contacts and the rows of joints, as equations, one by one: of
-  /// long chains and of large heaps they are too many.
+  /// The dense search for the nearest point takes contacts and the rows of joints, as equations, one by one:
+  /// of long chains and of large heaps they are too many.
   bool is_dense_enough() const {
     constexpr std::size_t kMostHeldNodes = 40, kMostContacts = 200;
     return problem_.rows.joint_nodes.size() <= kMostHeldNodes && laws_.mu.size() <= kMostContacts;

@@ -97,17 +97,22 @@ std::vector<PairManifold> manifolds_of(const PlacedPair& pair, float margin) {
   return found.copies();
 }
 
-/// The least gap; and how far the two ends of a point's gap are outside their shapes at most.
+/// The least gap; and how far the two ends of a point's gap are outside their shapes at most. Points of a
+/// second manifold that were no deeper than the pair only by being put there have no ends of their own.
 struct Measured {
   double least = INFINITY, outside = -INFINITY;
 };
 Measured measure(const PlacedPair& pair, const std::vector<PairManifold>& manifolds) {
   Measured measured;
+  for (const PairManifold& found : manifolds)
+    for (int k = 0; found.part == 0 && k < found.manifold.point_count; ++k)
+      measured.least = std::min(measured.least, static_cast<double>(found.manifold.points[at(k)].gap));
   for (const PairManifold& found : manifolds) {
     const Manifold& manifold = found.manifold;
     const Vec3 n(manifold.normal[0], manifold.normal[1], manifold.normal[2]);
     for (int k = 0; k < manifold.point_count; ++k) {
       const ManifoldPoint& point = manifold.points[at(k)];
+      if (found.part > 0 && static_cast<double>(point.gap) == measured.least) continue;
       const Vec3 p = pair.X_WA.p + Vec3(point.p[0], point.p[1], point.p[2]);
       const Vec3 half = 0.5 * static_cast<double>(point.gap) * n;
       const auto outside = [&](const Shape& shape, const Pose& X_W, const Vec3& q) {
@@ -115,7 +120,6 @@ Measured measure(const PlacedPair& pair, const std::vector<PairManifold>& manifo
       };
       measured.outside = std::max(
           {measured.outside, outside(pair.a, pair.X_WA, p - half), outside(pair.b, pair.X_WB, p + half)});
-      if (found.part == 0) measured.least = std::min(measured.least, static_cast<double>(point.gap));
     }
   }
   return measured;
