@@ -136,7 +136,7 @@ class InteriorPoint {
 
   double length_to_border(double most) const {
     for (const ConeContact& contact : contacts_)
-      most = std::min({most, way_to_border(contact.x, contact.dx), way_to_border(contact.y, contact.dy)});
+      most = std::min({most, step_to_border(contact.x, contact.dx), step_to_border(contact.y, contact.dy)});
     return most;
   }
 

@@ -33,7 +33,7 @@ inline double jordan_norm(const Vec3& x) {
 }
 
 /// The largest t up to which x + t d stays in the cone, of x inside.
-inline double way_to_border(const Vec3& x, const Vec3& d) {
+inline double step_to_border(const Vec3& x, const Vec3& d) {
   // The first positive root of (x₀ + t d₀)² = |x_t + t d_t|², and where x₀ ends.
   double first = d(0) < 0 ? -x(0) / d(0) : std::numeric_limits<double>::infinity();
   const double a = d(0) * d(0) - d.tail<2>().squaredNorm(), b = x(0) * d(0) - x.tail<2>().dot(d.tail<2>());
