@@ -232,14 +232,12 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
 
   // No energy comes of the step where nothing supplies any.
   if (balance.is_closed) {
-    const double gained =
-        energy_of_bodies(model_, environment_, island.begin + step.h, island.bodies, step.end) -
-        energy_of_bodies(model_, environment_, island.begin, island.bodies, island.start) -
-        step.work.supplied;
-    if (gained > 0) {
-      const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gained, balance, step.end);
+    constexpr double roundings = 32;
+    const Gain gain = gain_of(island, step);
+    if (gain.energy > 0) {
+      const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gain.energy, balance, step.end);
       step.work.supplied += taken.work;
-      step.unpaid = gained - taken.energy;
+      step.unpaid = std::max(0.0, gain.energy - taken.energy - roundings * gain.rounding);
     }
   }
 

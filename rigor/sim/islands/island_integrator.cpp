@@ -7,6 +7,7 @@
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/step_control.hpp"
+#include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 
@@ -200,6 +201,27 @@ IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double
   return result;
 }
 
+/// Energy that no force of the step has given, as a multiple of what the tolerance allows. Where a contact
+/// goes from a face to an edge within the step its curvature jumps, and two embedded methods may agree about
+/// what neither has seen.
+double IslandIntegrator::energy_error(const Island& island, const IslandStep& step) const {
+  constexpr double roundings = 32;
+  if (island.contacts.empty()) return 0;
+  if (!energy_balance(model_, environment_, island.begin, island.bodies, island.contacts).is_closed) return 0;
+  const Gain gain = gain_of(island, step);
+  const double error = gain.energy + step.work.friction;
+  if (!(error > 0)) return 0;
+
+  // Bodies at rest have what gravity gives them in their size.
+  double scale = gain.scale;
+  for (const int body : island.bodies) {
+    const double radius = model_.body(body).bounding_radius;
+    const double g = environment_.steady_acceleration(body).norm();
+    scale += model_.body(body).mass * g * (std::isfinite(radius) ? radius : model_.length_scale());
+  }
+  return error / (tolerance_ * scale + roundings * gain.rounding);
+}
+
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
                                                  const StepBounds& bounds) const {
   constexpr double useful_share = useless_share, damped_share = 1.0 / 64, share_of_longest = 0.2;
@@ -215,6 +237,7 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
     IslandStep taken = step_of(bounds.needs_path ? StepKind::with_path : StepKind::end_only, island, h);
     // A step that overflows is too long, whatever estimate of its error there is.
     const bool is_finite = taken.is_finite();
+    if (is_finite && taken.error <= 1) taken.error = std::max(taken.error, energy_error(island, taken));
     if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
     const StepDecision decision =
         controller.decide(h, is_finite ? taken.error : std::numeric_limits<double>::infinity());

@@ -64,6 +64,7 @@ class IslandIntegrator {
     double energy, scale, rounding;
   };
   Gain gain_of(const Island& island, const IslandStep& step) const;
+  double energy_error(const Island& island, const IslandStep& step) const;
   bool gains(const Island& island, const IslandStep& step) const;
   /// Closes the books of a stiff step that is coarser than its tolerance; false if it gained more energy than
   /// can be taken from it.

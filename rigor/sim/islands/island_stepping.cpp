@@ -124,13 +124,9 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
     running.step = integrator_.implicit_step(island, h);
   }
 
-  // Springs and dampers act as they are at its beginning: halved until they feed no motion.
-  const auto is_fed = [&] {
-    return running.step.unpaid > 0 && std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
-             return assembler_.environment().stiff_rate(body) * running.step.h > stable_rate;
-           });
-  };
-  while (h > resolved && is_fed()) {
+  // Springs and dampers act as they are at its beginning, and putting bodies apart may lift them: halved until
+  // motion gives back what that adds.
+  while (h > resolved && running.step.unpaid > 0) {
     h = std::max(0.5 * h, resolved);
     running.step = integrator_.implicit_step(island, h);
   }

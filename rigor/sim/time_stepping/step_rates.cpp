@@ -114,11 +114,11 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
     std::vector<Vec3> given;
     for (const std::size_t i : of_pair) given.emplace_back(rates.segment<3>(normal_row(i) - 2));
     make_rigid(system, of_pair, rates);
-    const auto change = [&](std::size_t k) {
-      return (rates.segment<3>(normal_row(of_pair[k]) - 2) - given[k]).cwiseAbs().maxCoeff();
-    };
     double largest = 0;
-    for (std::size_t k = 0; k < given.size(); ++k) largest = std::max(largest, change(k));
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const Vec3 change = rates.segment<3>(normal_row(of_pair[k]) - 2) - given[k];
+      largest = std::max(largest, change.cwiseAbs().maxCoeff());
+    }
     if (largest <= resolution) continue;
     for (std::size_t k = 0; k < given.size(); ++k) rates.segment<3>(normal_row(of_pair[k]) - 2) = given[k];
   }
