@@ -95,7 +95,7 @@ class Bridge {
 
 TEST(PlankBridge, JointsThatArePutBackPushNothingIntoTheBarrel) {
   test::Random random(18);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 2; ++k) {
     SCOPED_TRACE(k);
     const std::shared_ptr<const Model> model = Bridge(random).build();
     State state = make_initial_state(*model);
