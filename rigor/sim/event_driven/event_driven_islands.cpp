@@ -2,6 +2,7 @@
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -85,18 +86,22 @@ void EventDrivenStepper::begin_step(Island island) {
 }
 
 /// Closes the joints at the end of a step, and parts what that has pushed together: the displacement that
-/// does so opens joints to second order only, which once more closes.
+/// does so opens joints to second order only, which once more closes. Of chains so straight that it does not,
+/// the bodies stay pushed.
 void EventDrivenStepper::put_joints_back(const Island& island, IslandStep& step) {
-  const std::vector<BodyPhase> before = step.end;
-  std::vector<BodyPhase> open = before;
-  const auto close = [&] {
-    joints_.project_positions(t_, island.bodies, step.end, report_);
+  const auto close = [&](AdvanceReport& report) {
+    const std::vector<BodyPhase> open = step.end;
+    joints_.project_positions(t_, island.bodies, step.end, report);
     if (step.is_implicit || step.error > 1) keep_angular_momenta(open, step.end);
   };
-  close();
+  const std::vector<BodyPhase> before = step.end;
+  close(report_);
+  const std::vector<BodyPhase> closed = step.end;
   if (!contacts_.part_pushed(island, t_, before, step.end)) return;
-  open = step.end;
-  close();
+  AdvanceReport of_parting;
+  close(of_parting);
+  const double off = assembler_.joint_residual(t_, island.bodies, step.end);
+  if (off > projected_joint_drift(model_->length_scale())) step.end = closed;
 }
 
 /// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
