@@ -82,19 +82,19 @@ std::vector<MeshFacet> facets_near(const Mesh& mesh, const Aabb& box_M) {
 }
 
 /// Does the surface fall away from the direction n at vertex v, that is, does no side at v rise along n?
-bool is_in_vertex_cone(const Mesh& mesh, int v, const Vec3& n_M) {
+bool is_in_vertex_cone(const Mesh& mesh, int v, const Vec3& n_M, double slack) {
   const Vec3& p = mesh.mesh->vertices[at(v)];
   for (const int t : mesh.tree->vertex_triangles[at(v)]) {
     for (const int other : mesh.mesh->triangles[at(t)]) {
       const Vec3 along = mesh.mesh->vertices[at(other)] - p;
-      if (n_M.dot(along) > kConeSlack * along.norm()) return false;
+      if (n_M.dot(along) > slack * along.norm()) return false;
     }
   }
   return true;
 }
 
 /// The same for both triangles at an edge.
-bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M) {
+bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M, double slack) {
   const int t = edge / 3;
   const std::size_t k = at(edge % 3);
   // Along n no vertex of the two triangles may rise above the edge.
@@ -103,25 +103,31 @@ bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M) {
     if (side < 0) continue;
     for (const int v : mesh.mesh->triangles[at(side)]) {
       const Vec3 along = mesh.mesh->vertices[at(v)] - p;
-      if (n_M.dot(along) > kConeSlack * along.norm()) return false;
+      if (n_M.dot(along) > slack * along.norm()) return false;
     }
   }
   return true;
 }
 
+/// How far a normal may be off those of the surface, as sines.
+struct NormalSlack {
+  double face;    ///< Off the normal of a face.
+  double border;  ///< Outside the cone of an edge or a vertex.
+};
+
 /// Is n a normal of the mesh at the contact's feature? The back of a closed surface has none. On a face it is
-/// the face's, up to the sine of the tilt given.
+/// the face's.
 bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M, const Vec3& normal,
-                       double most_tilt) {
+                       const NormalSlack& slack) {
   const double facing = n_M.dot(normal);
   if (mesh.tree->is_closed && facing < -kConeSlack) return false;
   switch (feature.kind) {
     case Feature::Kind::vertex:
-      return is_in_vertex_cone(mesh, feature.index, n_M);
+      return is_in_vertex_cone(mesh, feature.index, n_M, slack.border);
     case Feature::Kind::edge:
-      return is_in_edge_cone(mesh, feature.index, n_M);
+      return is_in_edge_cone(mesh, feature.index, n_M, slack.border);
     default:
-      return std::abs(facing) > 0.5 && n_M.cross(normal).norm() <= most_tilt;
+      return std::abs(facing) > 0.5 && n_M.cross(normal).norm() <= slack.face;
   }
 }
 
@@ -194,7 +200,8 @@ class FacetContacts {
     bool is_blocked = is_part && found.empty();
     for (const ContactPoint& contact : found) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;
-      if (is_surface_normal(mesh_, first_feature(contact.feature), n_M, facet.normal, most_tilt)) {
+      const NormalSlack slack{most_tilt, kConeSlack + 2 * tilt_of(contact, distance, pair.scale.size)};
+      if (is_surface_normal(mesh_, first_feature(contact.feature), n_M, facet.normal, slack)) {
         contacts_.push_back({contact, facet.patch});
       } else {
         is_blocked = true;
@@ -282,6 +289,12 @@ class FacetContacts {
   }
 
  private:
+  /// A face that agrees with the separating direction within the tolerance stands for it: a cap that lies
+  /// along an edge, tilted by far less, has a normal a little outside the cone of the edge.
+  double tilt_of(const ContactPoint& contact, const DistanceResult& distance, double size) const {
+    const double tilt = (contact.n_W - distance.n_W).norm();
+    return tilt * size <= tolerance_ ? tilt : 0;
+  }
   bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
   /// Whether the point of the shape is inside the mesh, as deep as the contact says: under another part of
   /// the surface, or outside, it is none of the face's.

@@ -2,6 +2,7 @@
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -84,6 +85,25 @@ void EventDrivenStepper::begin_step(Island island) {
   islands_.emplace(number, std::move(running));
 }
 
+/// Closes the joints at the end of a step, and parts what that has pushed together: the displacement that
+/// does so opens joints to second order only, which once more closes. Of chains so straight that it does not,
+/// the bodies stay pushed.
+void EventDrivenStepper::put_joints_back(const Island& island, IslandStep& step) {
+  const auto close = [&](AdvanceReport& report) {
+    const std::vector<BodyPhase> open = step.end;
+    joints_.project_positions(t_, island.bodies, step.end, report);
+    if (step.is_implicit || step.error > 1) keep_angular_momenta(open, step.end);
+  };
+  const std::vector<BodyPhase> before = step.end;
+  close(report_);
+  const std::vector<BodyPhase> closed = step.end;
+  if (!contacts_.part_pushed(island, t_, before, step.end)) return;
+  AdvanceReport of_parting;
+  close(of_parting);
+  const double off = assembler_.joint_residual(t_, island.bodies, step.end);
+  if (off > projected_joint_drift(model_->length_scale())) step.end = closed;
+}
+
 /// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
 /// shorter step.
 void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
@@ -108,8 +128,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   // Gaps, joints and momenta are put back to what the contacts, joints and impulses say.
   if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
   const std::vector<BodyPhase> before_joints = step.end;
-  joints_.project_positions(t_, running.island.bodies, step.end, report_);
-  if (step.is_implicit || step.error > 1) keep_angular_momenta(before_joints, step.end);
+  put_joints_back(running.island, step);
   joints_.restore_momenta(running.island, step);
 
   // Steps of first order leave joints so far off that putting them back lifts the bodies by more than the

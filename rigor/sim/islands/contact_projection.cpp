@@ -68,6 +68,26 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   if (!pay_for_correction(model_, environment_, island, drifted, step)) step.end = drifted;
 }
 
+bool ContactProjection::part_pushed(const Island& island, double t, const std::vector<BodyPhase>& before,
+                                    std::vector<BodyPhase>& phases) const {
+  const double noticeable = 0.01 * contact_tolerance_;
+  if (island.contacts.empty() || farthest_move(model_, island.bodies, before, phases) <= noticeable)
+    return false;
+
+  // Which of the gaps are lower now than both touching and what they were.
+  const ContactSystem then = assembler_.assemble_contacts(island, t, before);
+  const ContactSystem now = assembler_.assemble(island, t, phases);
+  std::vector<double> lowest;
+  bool is_pushed = false;
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    lowest.push_back(std::min(0.0, then.contacts[i].point.gap));
+    is_pushed = is_pushed || (!island.contacts[i].stop && now.contacts[i].point.gap < lowest[i] - noticeable);
+  }
+  if (!is_pushed) return false;
+  apply_displacement(separating_impulses(now, lowest), now, island.bodies, phases);
+  return true;
+}
+
 bool ContactProjection::project_positions(Cluster& cluster, bool are_given, AdvanceReport& report) const {
   // Small overlaps may stay.
   double deepest = 0;

@@ -175,6 +175,34 @@ TEST(DeepestContact, OfARimOnARidgeIsThereWithinAnyReach) {
     EXPECT_LE(deepest_gap(contact_set(ground, Pose{}, cylinder, X, tolerance)), distance + 1e-9) << tolerance;
 }
 
+TEST(DeepestContact, OfAFaceAlmostAlongARidgeHasTheNormalOfTheFace) {
+  // Ridges along y. The face of the shape is tilted against one by less than a micrometre over its width, so
+  // that its normal is a little outside the cone of the ridge's.
+  const std::vector<double> heights = {0, 0.3, 0.05, 0.3, 0};
+  const HeightField field{.rows = {heights, heights}, .size = {3, 3}, .base_depth = 0.3};
+  const Mesh ground = test::as_mesh(make_height_field_mesh(field));
+  Draw draw(23);
+  for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(k);
+    const double radius = draw.uniform(0.05, 0.2), half_length = draw.uniform(0.03, 0.2);
+    const Shape shape = k % 2 == 0 ? Shape(Cylinder{radius, half_length})
+                                   : Shape(Box{Vec3(radius, draw.uniform(0.05, 0.2), half_length)});
+    const double depth = draw.uniform(0.1, 1) * kTolerance;
+    const double tilt = draw.uniform(-1, 1) * kTolerance / radius;
+    const Mat3 R = rotation_matrix(rotation_exp(tilt * Vec3::UnitX())) *
+                   rotation_matrix(rotation_exp(draw.uniform(-0.25, 0.25) * Vec3::UnitY())) *
+                   rotation_matrix(rotation_exp(draw.uniform(0, 3) * Vec3::UnitZ()));
+    const Vec3 n = R.col(2), on_ridge(-0.75, draw.uniform(-1, 1), 0.3);
+    const Vec3 aside = draw.uniform(-0.03, 0.03) * Vec3::UnitY().cross(n);
+    const Pose X{R, on_ridge + aside + (half_length - depth) * n};
+
+    const std::vector<ContactPoint> contacts = contact_set(ground, Pose{}, shape, X, kTolerance);
+    ASSERT_FALSE(contacts.empty());
+    EXPECT_NEAR(deepest_gap(contacts), deepest_triangle(ground, shape, X), 1e-9);
+    for (const ContactPoint& contact : contacts) EXPECT_LT((contact.n_W - n).norm(), 1e-4);
+  }
+}
+
 /// A valley along y between two slopes, its bottom the y axis; the slopes are the angles of its sides.
 Mesh valley(double left, double right) {
   return test::as_mesh(
