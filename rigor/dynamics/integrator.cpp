@@ -42,34 +42,42 @@ AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
   return form == OrientationForm::matrix ? AttitudeChart::matrix : AttitudeChart::quaternion;
 }
 
-/// The slopes ∂f/∂y and ∂f/∂t at the start of a step, as differences of f.
+/// The slopes ∂f/∂y and ∂f/∂t at the start of a step, as differences of f. Those of y are central: what stiff
+/// springs leave of a one-sided difference across them moves light bodies as no step of use follows.
 struct Linearisation {
   MatX J;
   VecX f_t;
 };
 Linearisation linearised(const SystemOde& ode, const OdeFunction& f, double t, double h,
                          const IntegratorTolerances& tolerances) {
-  constexpr double share = 1e-8;  // Half the digits.
+  constexpr double half_of_digits = 1e-8, third_of_digits = 1e-5;
   const VecX y = ode.start_vector(), f_0 = f(t, y);
   // The scales of the momenta are those of the heaviest body: a light one moves as fast with less.
-  double heaviest = 0, largest = 0;
+  double heaviest = 0, largest = 0, farthest = 0;
   for (int i = 0; i < ode.body_count(); ++i) {
     if (ode.is_ledger(i)) continue;
     heaviest = std::max(heaviest, ode.inertia(i).mass);
     largest = std::max(largest, ode.inertia(i).moments.maxCoeff());
+    farthest = std::max(farthest, y.segment<3>(ode.offset(i)).lpNorm<Eigen::Infinity>());
   }
-  Linearisation slopes{MatX::Zero(y.size(), y.size()), (f(t + share * h, y) - f_0) / (share * h)};
+  // All places change alike, so that what is left of the differences cancels where bodies move together.
+  const double change_of_place = third_of_digits * tolerances.length_scale + half_of_digits * farthest;
+  Linearisation slopes{MatX::Zero(y.size(), y.size()),
+                       (f(t + half_of_digits * h, y) - f_0) / (half_of_digits * h)};
   for (int i = 0; i < ode.body_count(); ++i) {
     // What only keeps the ledger moves nothing.
     if (ode.is_ledger(i)) continue;
     const int first = ode.offset(i);
-    const double scales[4] = {
-        tolerances.length_scale, ode.inertia(i).mass / heaviest * tolerances.momentum_scale,
-        ode.inertia(i).moments.maxCoeff() / largest * tolerances.angular_momentum_scale, 1};
+    const double scales[4] = {0, ode.inertia(i).mass / heaviest * tolerances.momentum_scale,
+                              ode.inertia(i).moments.maxCoeff() / largest * tolerances.angular_momentum_scale,
+                              1};
     for (int k = 0; k < 9 + ode.attitude_size(); ++k) {
-      VecX moved = y;
-      moved[first + k] += share * (scales[std::min(k / 3, 3)] + std::abs(y[first + k]));
-      slopes.J.col(first + k) = (f(t, moved) - f_0) / (moved[first + k] - y[first + k]);
+      const double change =
+          k < 3 ? change_of_place : third_of_digits * (scales[std::min(k / 3, 3)] + std::abs(y[first + k]));
+      VecX above = y, below = y;
+      above[first + k] += change;
+      below[first + k] -= change;
+      slopes.J.col(first + k) = (f(t, above) - f(t, below)) / (above[first + k] - below[first + k]);
     }
   }
   return slopes;

@@ -39,6 +39,17 @@ constexpr HardScene hard_scenes[] = {
      "  - {name: b, position: [0.3, 0, 3], mass: 1, shapes: [{type: sphere, radius: 0.1}]}\njoints:\n"
      "  - {name: s, type: distance, bodies: [a, b], anchors: [[0, 0, 3], [0.3, 0, 3]], limits: [0.2, 0.5], "
      "stiffness: 1e12, damping: 1e9}\n"},
+    {"chain",
+     "  - {name: a, position: [0, 0, 3], mass: 2e-6, shapes: [{type: sphere, radius: 0.1}]}\n"
+     "  - {name: b, position: [0.3, 0, 3], mass: 3, shapes: [{type: sphere, radius: 0.1}]}\n"
+     "  - {name: c, position: [0.6, 0, 3], mass: 1e5, shapes: [{type: sphere, radius: 0.1}]}\njoints:\n"
+     "  - {name: s, type: distance, bodies: [a, b], anchors: [[0, 0, 3], [0.3, 0, 3]], limits: [0.1, 0.5], "
+     "stiffness: 1e12, damping: 1e9}\n"
+     "  - {name: r, type: distance, bodies: [b, c], anchors: [[0.3, 0, 3], [0.6, 0, 3]], limits: [0.1, 0.5], "
+     "stiffness: 1e12, damping: 1e9}\n"},
+    {"force",
+     "  - {name: a, position: [0, 0, 1], shapes: [{type: box, size: [0.2, 0.3, 0.2]}]}\nforces:\n"
+     "  - {type: constant, body: a, force: [1e15, 0, 0], point: [0, 0, 0.1]}\n"},
     {"slider",
      "  - {name: a, position: [0, 0, 3], mass: 1e-6, velocity: [0, 0, -2], shapes: [{type: sphere, radius: "
      "0.1}]}\njoints:\n"
@@ -69,7 +80,7 @@ TEST(Ends, HardScenesEndOnSigtermWithWholeFiles) {
       const pid_t child =
           folder.start({"run", "a.yaml", "--quiet", "--set", std::string("method.scheme=") + scheme, "-o",
                         "a.csv", "-o", "a.h5", "--json", "a.json"});
-      ::usleep(150000);
+      ::usleep(80000);
       ::kill(child, SIGTERM);
       const auto begin = std::chrono::steady_clock::now();
       const ProgramResult result = folder.wait(child);

@@ -235,6 +235,24 @@ TEST(JointReader, ABodyWithoutShapesIsMeantWhereAJointSpeaksOfIt) {
   EXPECT_EQ(scene_of(bodies + "}\n").warnings.size(), 1u);
 }
 
+TEST(JointReader, AMotorWithoutABoundAgainstALimitIsWarnedOf) {
+  const auto warnings = [](const std::string& limits, const std::string& motor) {
+    return scene_of(
+               "rigor: 1\nbodies: [{name: a, position: [1, 0, 0], shapes: [{type: sphere, radius: 0.1}]}]\n"
+               "joints: [{name: j, type: hinge, bodies: [world, a], anchor: [0, 0, 0], axis: [0, 1, 0]" +
+               limits + ", motor: {velocity: " + motor + "}}]\n")
+        .warnings;
+  };
+  for (const char* const speed : {"-3", "3"}) {
+    const std::vector<std::string> told = warnings(", limits: [-0.2, 0.5]", speed);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_NE(told.front().find("motor of joint 'j' (hinge) has no max_force"), std::string::npos)
+        << told.front();
+  }
+  EXPECT_TRUE(warnings(", limits: [-0.2, 0.5]", "3, max_force: 5").empty());
+  EXPECT_TRUE(warnings("", "3").empty());
+}
+
 TEST(Fingerprint, DiffersWithEveryPropertyOfAJoint) {
   const std::string front =
       "rigor: 1\nbodies:\n"

@@ -1,10 +1,13 @@
 // Random bodies of all shapes against thin plates, with the schemes that promise that nothing passes. The
 // larger study, with blades and meshes, is tools/passing_study.py.
 
+#include "geometry/mesh_shapes.hpp"
 #include "random_vectors.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/simulation.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -127,6 +130,74 @@ TEST(BladesInParts, AreSeenToPassNothing) {
     const AdvanceReport report = stepper->advance(state, 2 * step);
     EXPECT_GT(state.linear_momentum(1).y(), 0) << "seed " << seed;
     EXPECT_EQ(report.passages.instants, 0) << "seed " << seed << " at " << report.passages.first << " s";
+  }
+}
+
+struct Throw {
+  double radius;  ///< Of a ball about the body [m].
+  double speed;   ///< To twice of it [m/s].
+  double restitution;
+};
+
+/// A body that is thrown at a plate of 2 mm, run with its audit.
+RunResult thrown_at_plate(const Shape& shape, const Method& method, const Throw& thrown, unsigned seed) {
+  test::Random random(seed);
+  const double step = seed % 2 == 0 ? 1.0 / 60 : 0.01, speed = thrown.speed * random.uniform(1, 2);
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 2000, 0.3, thrown.restitution});
+  const double width = 2 * speed * 5 * step + 1;
+  BodyDescription fixed = test::stepping_body("plate", Box{Vec3(width, width, plate)}, Vec3::Zero());
+  fixed.motion = MotionType::fixed;
+  fixed.mass = {};
+  builder.add_body(fixed);
+  const double height = plate + thrown.radius + speed * step * random.uniform(0, 1);
+  BodyDescription body = test::stepping_body("body", shape, Vec3(0, 0, height));
+  body.mass = {};
+  body.q_WU = rotation_exp(2 * random.vector());
+  body.velocity = speed * Vec3(0.4 * random.number(), 0.4 * random.number(), -1);
+  body.angular_velocity = 10 * random.vector();
+  builder.add_body(body);
+  RunSettings settings;
+  settings.duration = 4.5 * step;
+  settings.step = settings.output_interval = step;
+  return run_simulation(builder.build(), method, settings, std::nullopt,
+                        [](const State&, const AdvanceReport&, const Auditor&) { return true; });
+}
+
+void expect_above_plate(const RunResult& result, unsigned seed) {
+  EXPECT_EQ(result.audit.report.reason, StopReason::reached_end) << seed << result.audit.report.detail;
+  EXPECT_GT(result.state.position(1).z(), plate) << seed;
+  EXPECT_TRUE(result.audit.violations.empty()) << seed << result.audit.violations.front();
+}
+
+// Boxes and crosses as meshes at 100 m/s passed the plate by time stepping, or left it with energy that
+// nothing had given.
+TEST(MeshesAtPlates, PassNothingAndGainNothingByTimeStepping) {
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    const double a = 0.015 + 0.001 * seed;
+    const std::vector<Vec2> angle = {{-a, -a}, {a, -a}, {a, 0}, {0, 0}, {0, a}, {-a, a}};
+    const PolygonMesh solid =
+        seed % 3 == 0 ? make_prism(angle, a) : make_box_mesh(Vec3::Constant(-a), Vec3::Constant(a));
+    const Shape shape = make_mesh(std::make_shared<const TriangleMesh>(triangulated(solid)));
+    expect_above_plate(thrown_at_plate(shape, method, {2 * a, 60, seed % 2 == 0 ? 0.5 : 0}, seed), seed);
+  }
+}
+
+// A stone of a millimetre at 1,700 m/s became infinite.
+TEST(SmallStones, AreThrownBackByTheSubstepSolver) {
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  method.solver = SolverMethod::substep;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    test::Random random(seed);
+    std::vector<Vec3> points;
+    for (int k = 0; k < 10; ++k)
+      points.push_back(6e-4 * random.uniform(0.7, 1) * random.vector().normalized());
+    const Shape shape = Convex{std::make_shared<ConvexHull>(std::get<ConvexHull>(make_convex_hull(points)))};
+    expect_above_plate(thrown_at_plate(shape, method, {6e-4, 1000, seed % 2 == 0 ? 1 : 0.3}, seed), seed);
   }
 }
 
