@@ -124,8 +124,8 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
     running.step = integrator_.implicit_step(island, h);
   }
 
-  // Springs and dampers act as they are at its beginning, and putting bodies apart may lift them: halved until
-  // motion gives back what that adds.
+  // Springs and dampers act as they are at its beginning, and putting bodies apart may lift them: halved
+  // until motion gives back what that adds.
   while (h > resolved && running.step.unpaid > 0) {
     h = std::max(0.5 * h, resolved);
     running.step = integrator_.implicit_step(island, h);

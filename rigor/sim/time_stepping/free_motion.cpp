@@ -87,14 +87,17 @@ FreeEnd FreeMotion::integrate(double h, const Cluster& part, AdvanceReport& repo
   FreeEnd result;
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
-  for (long useless = 0; left > 0;) {
+  // Damped steps are a sixty-fourth of h; so many parts are those whose books close in tiny ones only.
+  constexpr long most_stiff_parts = 2000;
+  for (long useless = 0, stiff = 0; left > 0;) {
     integrator_.choose_joint_rows(island);
     const ControlledStep taken = integrator_.controlled_step(
         island, std::min(left, wanted), {std::min(left, least_step_share * h), left, h, false});
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
     useless = taken.step.h < useless_share * h && taken.step.h < left ? useless + 1 : 0;
-    if (useless > most_useless_parts)
+    stiff += taken.step.is_stiff ? 1 : 0;
+    if (useless > most_useless_parts || stiff > most_stiff_parts)
       throw too_fast(model_, environment_, island.bodies, island.start, taken.step.h);
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
     IslandStep step = taken.step;
