@@ -188,7 +188,7 @@ std::optional<Trial> touch_corners(const EllipsoidCore& own, const PlacedPolytop
       points[part.count] = other.vertex(corners.v[k]);
       part.v[part.count++] = corners.v[k];
     }
-    const std::optional<Trial> trial = touch_simplex(own, std::span(points).first(part.count), n, rounding);
+    std::optional<Trial> trial = touch_simplex(own, std::span(points).first(part.count), n, rounding);
     if (!trial) continue;
     bool is_lowest = true;
     for (std::size_t k = 0; k < corners.count; ++k)

@@ -117,7 +117,7 @@ struct NarrowPhase::Tables {
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = shapes.of(pair.body_A, pair.shape_A), &b = shapes.of(pair.body_B, pair.shape_B);
   const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
-  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh | are_ring_pair(a, b) |
+  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) || is_on_mesh || are_ring_pair(a, b) ||
          are_ellipsoid_pair(a, b);
 }
 

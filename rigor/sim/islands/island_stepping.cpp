@@ -32,8 +32,6 @@ constexpr int most_step_halvings = 12;
 /// How far bodies may rotate in such a step [rad], and how often it is shortened for that.
 constexpr double most_rotation = 0.25;
 constexpr int most_rotation_reductions = 12;
-/// Times the length of such a step, up to which rate explicit springs and dampers swing or settle.
-constexpr double stable_rate = 1;
 
 }  // namespace
 
