@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 
 namespace rigor::bench {
 
@@ -103,30 +105,36 @@ std::shared_ptr<const Model> make_terrain() {
   return builder.build();
 }
 
-std::shared_ptr<const Model> make_cylinders() {
-  ModelBuilder builder = scene_builder("cylinders");
+namespace {
+
+/// A thousand of these shapes, drawn one by one, fall into a pen.
+std::shared_ptr<const Model> crowd_in_pen(const std::string& name, const std::string& body,
+                                          const std::function<Shape(SceneDraws&)>& draw_shape) {
+  ModelBuilder builder = scene_builder(name);
   SceneDraws draws;
   add_ground(builder);
   add_walls(6, 20, builder);
   const Grid grid{10, 1.15, 1};
   for (int k = 0; k < 1000; ++k) {
-    const Cylinder shape{draws.between(0.25, 0.4), draws.between(0.2, 0.45)};
-    add_body(fmt::format("cylinder{}", k), shape, grid.place(k), draw_rotation(draws), builder);
+    const Shape shape = draw_shape(draws);
+    add_body(fmt::format("{}{}", body, k), shape, grid.place(k), draw_rotation(draws), builder);
   }
   return builder.build();
 }
 
+}  // namespace
+
+std::shared_ptr<const Model> make_cylinders() {
+  return crowd_in_pen("cylinders", "cylinder", [](SceneDraws& draws) {
+    return Cylinder{draws.between(0.25, 0.4), draws.between(0.2, 0.45)};
+  });
+}
+
 std::shared_ptr<const Model> make_ellipsoids() {
-  ModelBuilder builder = scene_builder("ellipsoids");
-  SceneDraws draws;
-  add_ground(builder);
-  add_walls(6, 20, builder);
-  const Grid grid{10, 1.15, 1};
-  for (int k = 0; k < 1000; ++k) {
-    const Vec3 radii(draws.between(0.25, 0.4), draws.between(0.2, 0.45), draws.between(0.2, 0.45));
-    add_body(fmt::format("ellipsoid{}", k), Ellipsoid{radii}, grid.place(k), draw_rotation(draws), builder);
-  }
-  return builder.build();
+  return crowd_in_pen("ellipsoids", "ellipsoid", [](SceneDraws& draws) {
+    const double x = draws.between(0.25, 0.4), y = draws.between(0.2, 0.45), z = draws.between(0.2, 0.45);
+    return Ellipsoid{Vec3(x, y, z)};
+  });
 }
 
 std::shared_ptr<const Model> make_round_on_mesh() {

@@ -22,16 +22,21 @@ BodyDescription resting_body(const std::string& name, const Shape& shape, const 
   return body;
 }
 
-/// A tower of cubes of 1 m, each shifted by up to 10 cm and turned by up to 0.6 rad.
-std::shared_ptr<const Model> askew_tower(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> number(-1, 1);
+ModelBuilder builder_with_ground() {
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
   builder.add_material({"m", 1000, 0.5, 0});
   BodyDescription floor = resting_body("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
   floor.motion = MotionType::fixed;
   builder.add_body(floor);
+  return builder;
+}
+
+/// A tower of cubes of 1 m, each shifted by up to 10 cm and turned by up to 0.6 rad.
+std::shared_ptr<const Model> askew_tower(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  ModelBuilder builder = builder_with_ground();
   for (int i = 0; i < count; ++i) {
     BodyDescription cube = resting_body("cube " + std::to_string(i), Box{Vec3(0.5, 0.5, 0.5)},
                                         Vec3(0.1 * number(random), 0.1 * number(random), 0.5 + i));
@@ -69,12 +74,7 @@ TEST(BulkRest, AnAskewTowerStandsStill) {
 
 /// Bricks of 0.5 x 0.25 x 0.25 m in a running bond along x, `gap` between neighbours of a row.
 std::shared_ptr<const Model> brick_wall(int rows, int columns, double gap) {
-  ModelBuilder builder;
-  builder.set_gravity(Vec3(0, 0, -9.81));
-  builder.add_material({"m", 1000, 0.5, 0});
-  BodyDescription floor = resting_body("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
-  floor.motion = MotionType::fixed;
-  builder.add_body(floor);
+  ModelBuilder builder = builder_with_ground();
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < columns; ++j) {
       const Vec3 place(0.5 * j + 0.25 * (i % 2), 0, 0.25 * (i + 0.5));

@@ -15,6 +15,10 @@
 
 namespace rigor::test {
 
+inline Shape hull_of(const std::vector<Vec3>& points) {
+  return Convex{std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(points)))};
+}
+
 /// Random numbers, directions, poses and shapes; the same on every machine.
 class Draw {
  public:
@@ -54,9 +58,7 @@ class Draw {
     for (int i = 0; i < count; ++i) result.push_back(radii.cwiseProduct(direction()));
     return result;
   }
-  Shape hull(int count) {
-    return Convex{std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(points(count))))};
-  }
+  Shape hull(int count) { return hull_of(points(count)); }
 
   static constexpr int kKinds = 9;
   /// One of the bounded convex kinds; a hull of 8, 32 or 128 vertices is a kind.

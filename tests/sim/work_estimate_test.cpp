@@ -2,6 +2,8 @@
 
 #include "rigor/model/model_builder.hpp"
 
+#include "sim/time_stepping_scenes.hpp"
+
 #include <gtest/gtest.h>
 
 namespace rigor::work_estimate_test {
@@ -47,14 +49,7 @@ TEST(WorkEstimate, OfOneLayerIsLittleAndOfATowerMuch) {
 
 /// Rods of 0.2 m in a row, 2 mm above a floor, each tied to the next by a ball joint or not.
 std::shared_ptr<const Model> row_of_rods(int rods, bool is_tied) {
-  ModelBuilder builder;
-  builder.set_gravity(Vec3(0, 0, -9.81));
-  builder.add_material({"m", 1000, 0.5, 0});
-  BodyDescription floor;
-  floor.name = "floor";
-  floor.motion = MotionType::fixed;
-  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
-  builder.add_body(floor);
+  ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -9.81));
   for (int i = 0; i < rods; ++i) {
     BodyDescription rod;
     rod.name = "rod" + std::to_string(i);

@@ -1,6 +1,6 @@
 // Ellipsoids and what they touch, on the many-body path, in 32 bits.
 
-#include "geometry/random_pairs.hpp"
+#include "bulk/narrow_phase/placed_pairs.hpp"
 #include "rigor/bulk/narrow_phase/collide_ellipsoids.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/geometry/distance/distance.hpp"
@@ -17,6 +17,7 @@ namespace rigor::narrow_phase_ellipsoids_test {
 namespace {
 
 using test::Draw;
+using test::PlacedPair;
 
 constexpr double kRounding = 4e-6;  // As in narrow_phase_test.cpp, at lengths of about 1 m.
 
@@ -24,26 +25,9 @@ Shape draw_ellipsoid(Draw& draw) {
   return Ellipsoid{Vec3(draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5))};
 }
 Shape draw_other(Draw& draw, int kind) {
-  switch (kind) {
-    case 0:
-      return draw_ellipsoid(draw);
-    case 1:
-      return Capsule{draw.uniform(0.1, 0.5), draw.uniform(0.05, 0.6)};
-    case 2:
-      return Sphere{draw.uniform(0.1, 0.5)};
-    case 3:
-      return Box{Vec3(draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5))};
-    case 4:
-      return draw.hull(24);
-    default:
-      return HalfSpace{draw.direction(), 0};
-  }
+  return kind == 0 ? draw_ellipsoid(draw) : test::draw_plain_shape(draw, kind - 1);
 }
 
-struct PlacedPair {
-  Shape a, b;
-  Pose X_WA, X_WB;
-};
 /// Two placed shapes whose distance is the gap.
 PlacedPair draw_pair(Draw& draw, const Shape& a, const Shape& b, double gap) {
   PlacedPair pair{a, b, {draw.rotation(), Vec3::Zero()}, {draw.rotation(), draw.direction()}};
@@ -58,33 +42,15 @@ PlacedPair draw_pair(Draw& draw, const Shape& a, const Shape& b, double gap) {
 /// The pair as a world of two bodies, seen by the narrow phase at one pose after the other.
 class Seen {
  public:
-  explicit Seen(const PlacedPair& pair) : narrow_phase_(model_of(pair)) {}
+  explicit Seen(const PlacedPair& pair) : model_(test::model_of(pair)), narrow_phase_(*model_) {}
 
   std::vector<PairManifold> at(const PlacedPair& pair, float margin) {
-    BulkBodies bodies;
-    bodies.x = {pair.X_WA.p, pair.X_WB.p};
-    bodies.q = {Quat(pair.X_WA.R), Quat(pair.X_WB.R)};
-    bodies.motion.resize(2);
-    bodies.inertia.resize(2);
     ManifoldList found;
-    narrow_phase_.find_manifolds(bodies, {{0, 1, 0, 0, margin}}, Executor(1), found);
+    narrow_phase_.find_manifolds(test::bodies_of(pair), {{0, 1, 0, 0, margin}}, Executor(1), found);
     return found.copies();
   }
 
  private:
-  const Model& model_of(const PlacedPair& pair) {
-    ModelBuilder builder;
-    for (const Shape* shape : {&pair.a, &pair.b}) {
-      BodyDescription body;
-      body.name = shape == &pair.a ? "a" : "b";
-      body.motion = shape == &pair.a ? MotionType::fixed : MotionType::kinematic;
-      body.shapes.push_back({*shape});
-      builder.add_body(body);
-    }
-    model_ = builder.build();
-    return *model_;
-  }
-
   std::shared_ptr<const Model> model_;
   NarrowPhase narrow_phase_;
 };

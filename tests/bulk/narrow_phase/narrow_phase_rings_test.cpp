@@ -1,7 +1,7 @@
 // Cylinders, cones and what they touch, on the many-body path: true circles, in 32 bits.
 
 #include "bulk/face_preference.hpp"
-#include "geometry/random_pairs.hpp"
+#include "bulk/narrow_phase/placed_pairs.hpp"
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/narrow_phase/ring_axes.hpp"
@@ -21,6 +21,7 @@ namespace rigor::narrow_phase_rings_test {
 namespace {
 
 using test::Draw;
+using test::PlacedPair;
 
 constexpr double kRounding = 4e-6;  // As in narrow_phase_test.cpp, at lengths of about 1 m.
 
@@ -29,29 +30,11 @@ Shape draw_ring_shape(Draw& draw, bool is_cone) {
   return is_cone ? Shape(Cone{radius, half}) : Shape(Cylinder{radius, half});
 }
 Shape draw_other(Draw& draw, int kind) {
-  switch (kind) {
-    case 0:
-    case 1:
-      return draw_ring_shape(draw, kind == 1);
-    case 2:
-      return Capsule{draw.uniform(0.1, 0.5), draw.uniform(0.05, 0.6)};
-    case 3:
-      return Sphere{draw.uniform(0.1, 0.5)};
-    case 4:
-      return Box{Vec3(draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5), draw.uniform(0.1, 0.5))};
-    case 5:
-      return draw.hull(24);
-    default:
-      return HalfSpace{draw.direction(), 0};
-  }
+  return kind < 2 ? draw_ring_shape(draw, kind == 1) : test::draw_plain_shape(draw, kind - 2);
 }
 
 /// Two placed shapes. Every second pair of poses is nearly parallel, square or coaxial, turned by 1e-7 to
 /// 0.1.
-struct PlacedPair {
-  Shape a, b;
-  Pose X_WA, X_WB;
-};
 PlacedPair draw_pair(Draw& draw, const Shape& a, const Shape& b, int number, double gap) {
   PlacedPair pair{a, b, {draw.rotation(), Vec3::Zero()}, {draw.rotation(), draw.direction()}};
   if (number % 2 == 1) {
@@ -77,23 +60,10 @@ double draw_gap(Draw& draw, int number) {
 }
 
 std::vector<PairManifold> manifolds_of(const PlacedPair& pair, float margin) {
-  ModelBuilder builder;
-  for (const Shape* shape : {&pair.a, &pair.b}) {
-    BodyDescription body;
-    body.name = shape == &pair.a ? "a" : "b";
-    body.motion = shape == &pair.a ? MotionType::fixed : MotionType::kinematic;
-    body.shapes.push_back({*shape});
-    builder.add_body(body);
-  }
-  const std::shared_ptr<const Model> model = builder.build();
-  BulkBodies bodies;
-  bodies.x = {pair.X_WA.p, pair.X_WB.p};
-  bodies.q = {Quat(pair.X_WA.R), Quat(pair.X_WB.R)};
-  bodies.motion.resize(2);
-  bodies.inertia.resize(2);
+  const std::shared_ptr<const Model> model = test::model_of(pair);
   NarrowPhase narrow_phase(*model);
   ManifoldList found;
-  narrow_phase.find_manifolds(bodies, {{0, 1, 0, 0, margin}}, Executor(1), found);
+  narrow_phase.find_manifolds(test::bodies_of(pair), {{0, 1, 0, 0, margin}}, Executor(1), found);
   return found.copies();
 }
 

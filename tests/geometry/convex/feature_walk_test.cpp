@@ -20,14 +20,11 @@ namespace {
 using nlohmann::json;
 using test::Draw;
 using test::ExactPolytope;
+using test::hull_of;
 using Kind = PolytopeFeature::Kind;
 
 Vec3 vector_of(const json& v) {
   return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
-}
-
-Shape hull_of(const std::vector<Vec3>& points) {
-  return Convex{std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(points)))};
 }
 
 Shape hull_in(const json& vertices) {

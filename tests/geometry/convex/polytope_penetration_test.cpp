@@ -22,10 +22,7 @@ namespace {
 using nlohmann::json;
 using test::Draw;
 using test::ExactPolytope;
-
-Shape hull_of(const std::vector<Vec3>& points) {
-  return Convex{std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(points)))};
-}
+using test::hull_of;
 
 Shape cube_hull(const Vec3& half_extents) {
   return Convex{std::make_shared<const ConvexHull>(make_box_hull(half_extents))};
