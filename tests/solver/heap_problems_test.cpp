@@ -92,7 +92,8 @@ TEST(HeapProblem, HasTheContactsThatItsRulesSay) {
   EXPECT_EQ(closing, 4);
 }
 
-/// Without rows and without a resolution, by A alone; the chain of methods for few contacts is not for so many.
+/// Without rows and without a resolution, by A alone; the chain of methods for few contacts is not for so
+/// many.
 TEST(HeapProblem, OfManyContactsIsSolvedInContactSpace) {
   const MotionProblem rows = problem_of({Kind::wall, 6, 0.1, 5});
   CoulombProblem problem = rows.laws;
