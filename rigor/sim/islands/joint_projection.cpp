@@ -52,34 +52,43 @@ Unresolved JointProjection::loop_against_motor(const std::vector<int>& bodies) c
                       names)};
 }
 
-/// Newton's method on the positions, in the metric of the masses, until the residual no longer falls.
+/// Newton's method on the positions, in the metric of the masses, until the residual no longer falls. All
+/// residuals fall along its step at first, whatever they are; where a chain is nearly straight the whole step
+/// goes far beyond, so that steps are halved until they gain.
 JointProjection::Closed JointProjection::close_joints(double t, const std::vector<int>& bodies,
                                                       bool with_motors,
                                                       std::vector<BodyPhase>& phases) const {
-  constexpr int most_iterations = 8;
-  constexpr double rounding = 1e-15;
+  constexpr int most_iterations = 40;
+  constexpr double rounding = 1e-15, least_share = 1e-3;
+  const double drift = projected_joint_drift(model_.length_scale());
   Closed closed{0, std::numeric_limits<double>::infinity(), -1, false};
   std::vector<BodyPhase> best = phases;
+  std::vector<Vec6> newton(bodies.size(), Vec6::Zero());
+  double share = 1;
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
     const ContactSystem system = assembler_.assemble_joints(t, bodies, phases, with_motors);
     const auto [residual, joint] = system.joints->largest_residual();
     if (iteration == 0) closed.first_residual = residual;
     closed.has_motors = system.joints->has_motors();
-    closed.joint = joint;
-    const bool is_better = residual < closed.residual;
-    if (is_better) {
-      closed.residual = residual;
-      best = phases;
-    }
-    if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) break;
 
-    // The displacement M⁻¹ Gᵀ λ with G Δ = -g.
-    const JointSystem::Response moved = system.joints->respond(
-        std::vector<Vec6>(system.bodies.size(), Vec6::Zero()), -system.joints->residuals());
+    if (residual < closed.residual) {
+      // The displacement M⁻¹ Gᵀ λ with G Δ = -g from here.
+      closed.residual = residual;
+      closed.joint = joint;
+      best = phases;
+      if (residual <= rounding * model_.length_scale()) break;
+      const JointSystem::Response moved = system.joints->respond(
+          std::vector<Vec6>(system.bodies.size(), Vec6::Zero()), -system.joints->residuals());
+      for (std::size_t i = 0; i < bodies.size(); ++i) newton[i] = moved.a[at(system.local_index(bodies[i]))];
+      share = std::min(1.0, 2 * share);
+    } else {
+      share /= 2;
+      if (closed.residual <= drift || share < least_share) break;
+    }
+
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Vec6& delta = moved.a[at(system.local_index(bodies[i]))];
-      phases[i].x += delta.head<3>();
-      phases[i].q = (rotation_exp(delta.tail<3>()) * phases[i].q).normalized();
+      phases[i].x = best[i].x + share * newton[i].head<3>();
+      phases[i].q = (rotation_exp(share * newton[i].tail<3>()) * best[i].q).normalized();
     }
   }
   phases = std::move(best);

@@ -175,7 +175,25 @@ std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair
 }
 
 std::vector<Contact> StepContacts::at(const State& state, const std::vector<double>& reaches) {
-  return finder_.find(state, reaches, tolerance_);
+  std::vector<Contact> contacts = finder_.find(state, reaches, tolerance_);
+  const auto depths_of = [](const std::vector<Contact>& all) {
+    std::map<Pair, double> depths;
+    for (const Contact& contact : all) {
+      double& depth = depths[{contact.body_A, contact.body_B}];
+      depth = std::max(depth, -contact.point.gap);
+    }
+    return depths;
+  };
+
+  // Within a large margin a body stands on a face where within the tolerance it stands on the edge of it:
+  // what is deeper there than all that the margin shows.
+  for (const auto& [pair, depth] : depths_of(contacts)) {
+    if (reaches[rigor::at(pair.first)] + reaches[rigor::at(pair.second)] == 0) continue;
+    for (const Contact& contact : finder_.find(state, pair, tolerance_)) {
+      if (-contact.point.gap > depth) contacts.push_back(contact);
+    }
+  }
+  return contacts;
 }
 
 std::vector<Contact> StepContacts::touching(const std::vector<Contact>& contacts) const {
