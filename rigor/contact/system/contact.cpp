@@ -65,6 +65,11 @@ bool is_same(const Contact& a, const Contact& b, double tolerance) {
 
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    double tolerance) {
+  return find_contacts(model, a, b, X_WA, X_WB, tolerance, tolerance);
+}
+
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
+                                   double tolerance, double reach) {
   const Body& A = model.body(a);
   const Body& B = model.body(b);
   std::vector<Contact> contacts;
@@ -73,12 +78,12 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       // Shapes that are far apart have no contacts.
       const BodyShape& shape_a = A.shapes[i];
       const BodyShape& shape_b = B.shapes[k];
-      if (!is_near(shape_a, X_WA, shape_b, X_WB, tolerance)) continue;
+      if (!is_near(shape_a, X_WA, shape_b, X_WB, reach)) continue;
 
       // The points at which the two shapes touch, with the coefficients of their materials.
       const PairCoefficients pair = model.coefficients(shape_a.material, shape_b.material);
       const std::vector<ContactPoint> points =
-          contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
+          contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance, reach);
       for (const ContactPoint& point : points) {
         const Contact contact{a,
                               b,

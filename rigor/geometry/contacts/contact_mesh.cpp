@@ -166,11 +166,13 @@ Aabb box_of(const std::vector<Vec3>& corners) {
 /// Collects the contacts facet by facet.
 class FacetContacts {
  public:
-  FacetContacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB, double tolerance)
+  FacetContacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB, double tolerance,
+                double reach)
       : mesh_(mesh),
         X_OM_(X_OM),
         shape_(b, X_OB),
         tolerance_(tolerance),
+        reach_(reach),
         center_M_(X_OM.inverse() * X_OB.p),
         radius_(radius_about(b, Vec3::Zero())) {}
 
@@ -178,25 +180,25 @@ class FacetContacts {
     // Most facets near a shape lie off its ball or in planes that it does not reach.
     const Aabb box = box_of(facet.corners);
     const Vec3 nearest = box.lower.cwiseMax(center_M_.cwiseMin(box.upper));
-    if ((nearest - center_M_).norm() > radius_ + tolerance_) return;
+    if ((nearest - center_M_).norm() > radius_ + reach_) return;
     const Vec3 n = X_OM_.R * facet.normal, p = X_OM_ * facet.corners.front();
-    const bool is_above = n.dot(shape_.support(-n) - p) > tolerance_;
-    const bool is_below = -n.dot(shape_.support(n) - p) > tolerance_;
+    const bool is_above = n.dot(shape_.support(-n) - p) > reach_;
+    const bool is_below = -n.dot(shape_.support(n) - p) > reach_;
     if (is_above || is_below) return;
     // The contact set of the facet as a convex body of its own.
     const ContactShape face(facet, X_OM_);
     const DistanceResult distance = convex_distance(face.core(), face.X_OS(), shape_.core(), shape_.X_OS());
-    if (distance.distance > tolerance_) return;
-    const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
+    if (distance.distance > reach_) return;
+    const ContactPair pair{face, shape_, contact_scale(face, shape_, reach_)};
     merge_ = std::max(merge_, pair.scale.merge);
     std::vector<ContactPoint> found = convex_contacts(pair, distance);
     // A part of a patch is asked for its nearest point only if the patch has none that is nearer.
     const bool is_part = !is_whole(facet);
     const bool is_nearest = !is_part || distance.distance <= of_hull(facet).distance + pair.scale.merge;
-    if (is_nearest) add_witness(pair, distance, found);
+    if (is_nearest) add_witness_along(pair, distance, found);
     // What touches through a side that is none of the surface is kept aside. The shape may leave a part along
     // a normal of its own that would not part it from the patch: within the tolerance it lies flat on both.
-    const double most_tilt = !is_part ? 1 : kAlongNormal + 4 * tolerance_ / face.size();
+    const double most_tilt = !is_part ? 1 : kAlongNormal + 4 * reach_ / face.size();
     bool is_blocked = is_part && found.empty();
     for (const ContactPoint& contact : found) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;
@@ -217,7 +219,7 @@ class FacetContacts {
   void add_blocked() {
     for (const MeshFacet& facet : blocked_) {
       const ContactShape face(facet, X_OM_);
-      const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
+      const ContactPair pair{face, shape_, contact_scale(face, shape_, reach_)};
       // How deep the patch is entered: by its other facets, or by its hull if that is left along the face's
       // normal.
       const FlatFace front = face.polygon(0);
@@ -235,7 +237,7 @@ class FacetContacts {
       std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, front, true);
       if (!contacts) continue;
       if (leaves_hull_along && lies_over(front, of_hull(facet).p_WB, pair.scale.slack))
-        add_witness(pair, of_hull(facet), *contacts);
+        add_witness_along(pair, of_hull(facet), *contacts);
       for (const ContactPoint& contact : *contacts) contacts_.push_back({contact, facet.patch});
     }
   }
@@ -249,7 +251,7 @@ class FacetContacts {
     const ContactShape face(larger, X_OM_);
     const DistanceResult distance = convex_distance(face.core(), face.X_OS(), shape_.core(), shape_.X_OS());
     if (!is_along(distance, facet)) return;
-    const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
+    const ContactPair pair{face, shape_, contact_scale(face, shape_, reach_)};
     const auto contacts = face_contacts(pair, face.polygon(0), true);
     if (!contacts) return;
     for (const ContactPoint& contact : *contacts) {
@@ -284,16 +286,23 @@ class FacetContacts {
   std::vector<ContactPoint> merged() const {
     std::vector<ContactPoint> contacts;
     for (const auto& [contact, patch] : contacts_) contacts.push_back(contact);
-    sort_and_merge({.tolerance = tolerance_, .tie = 0, .slack = 0, .merge = merge_}, contacts);
+    sort_and_merge({.tolerance = reach_, .tie = 0, .slack = 0, .merge = merge_}, contacts);
     return contacts;
   }
 
  private:
+  /// A facet has no inside: the shortest way out of it says nothing about the surface unless it is that of
+  /// the contacts.
+  static void add_witness_along(const ContactPair& pair, const DistanceResult& distance,
+                                std::vector<ContactPoint>& contacts) {
+    if (distance.distance >= -pair.scale.merge || is_their_way(distance, contacts))
+      add_witness(pair, distance, contacts);
+  }
   /// A face that agrees with the separating direction within the tolerance stands for it: a cap that lies
   /// along an edge, tilted by far less, has a normal a little outside the cone of the edge.
   double tilt_of(const ContactPoint& contact, const DistanceResult& distance, double size) const {
     const double tilt = (contact.n_W - distance.n_W).norm();
-    return tilt * size <= tolerance_ ? tilt : 0;
+    return tilt * size <= reach_ ? tilt : 0;
   }
   bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
   /// Whether the point of the shape is inside the mesh, as deep as the contact says: under another part of
@@ -319,6 +328,7 @@ class FacetContacts {
   const Pose& X_OM_;
   const ContactShape shape_;
   const double tolerance_;
+  const double reach_;
   const Vec3 center_M_;  ///< Of a ball that holds the shape.
   const double radius_;
   double merge_ = 0;
@@ -331,13 +341,13 @@ class FacetContacts {
 }  // namespace
 
 std::vector<ContactPoint> mesh_contacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB,
-                                        double tolerance) {
+                                        double tolerance, double reach) {
   RIGOR_ASSERT(mesh.tree != nullptr && !std::holds_alternative<Mesh>(b));
   if (const HalfSpace* plane = std::get_if<HalfSpace>(&b)) {
-    return plane_contacts(mesh, X_OM, *plane, X_OB, tolerance);
+    return plane_contacts(mesh, X_OM, *plane, X_OB, reach);
   }
-  FacetContacts contacts(mesh, X_OM, b, X_OB, tolerance);
-  const Aabb box_M = axis_aligned_box(b, X_OM.inverse() * X_OB).grown(tolerance);
+  FacetContacts contacts(mesh, X_OM, b, X_OB, tolerance, reach);
+  const Aabb box_M = axis_aligned_box(b, X_OM.inverse() * X_OB).grown(reach);
   for (const MeshFacet& facet : facets_near(mesh, box_M)) contacts.add(facet);
   contacts.add_blocked();
   contacts.add_deepest();

@@ -13,6 +13,6 @@ namespace rigor {
 /// A contact on an edge or vertex of the mesh counts only if its normal lies in the cone of normals there, so
 /// that edges within a flat patch and concave edges give none.
 std::vector<ContactPoint> mesh_contacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB,
-                                        double tolerance);
+                                        double tolerance, double reach);
 
 }  // namespace rigor

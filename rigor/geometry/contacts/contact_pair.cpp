@@ -123,19 +123,24 @@ std::vector<ContactPoint> convex_contacts(const ContactPair& pair, const Distanc
   return *contacts;
 }
 
+bool is_their_way(const DistanceResult& distance, const std::vector<ContactPoint>& contacts) {
+  return !contacts.empty() && std::ranges::all_of(contacts, [&](const ContactPoint& contact) {
+    return (contact.n_W - distance.n_W).norm() <= kSameNormal;
+  });
+}
+
 void add_witness(const ContactPair& pair, const DistanceResult& distance,
                  std::vector<ContactPoint>& contacts) {
-  // The shortest way out of an overlap may be another than that of the contacts.
-  const bool is_their_way =
-      !contacts.empty() && std::ranges::all_of(contacts, [&](const ContactPoint& contact) {
-        return (contact.n_W - distance.n_W).norm() <= kSameNormal;
-      });
-  if (distance.distance < -pair.scale.merge && !is_their_way) return;
   // One contact has to have the distance as its gap.
   const bool touches = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& contact) {
     return contact.gap <= distance.distance + pair.scale.merge;
   });
-  if (!touches) contacts.push_back(witness_contact(pair, distance));
+  // Contacts along a direction that separates the shapes better know a shorter way out.
+  const bool is_shorter =
+      !pair.a.is_plane() && std::ranges::any_of(contacts, [&](const ContactPoint& contact) {
+        return separation(pair, contact.n_W) > distance.distance + pair.scale.merge;
+      });
+  if (!touches && !is_shorter) contacts.push_back(witness_contact(pair, distance));
 }
 
 void sort_and_merge(const ContactScale& scale, std::vector<ContactPoint>& contacts) {

@@ -41,10 +41,13 @@ std::vector<ContactPoint> line_or_point_contacts(const ContactPair& pair, const 
 ContactPoint witness_contact(const ContactPair& pair, const DistanceResult& distance);
 
 /// Adds the witness points of the distance if no contact has it as its gap: a rim that is tilted against a
-/// face by less than the tolerance touches between the points that stand for it. Of shapes that overlap only
-/// if they have the normal of the contacts.
+/// face by less than the tolerance touches between the points that stand for it, and an edge that overlaps
+/// another may lie beside the face that stands for both.
 void add_witness(const ContactPair& pair, const DistanceResult& distance,
                  std::vector<ContactPoint>& contacts);
+
+/// Whether the contacts have the normal of the distance: the shortest way out of an overlap may be another.
+bool is_their_way(const DistanceResult& distance, const std::vector<ContactPoint>& contacts);
 
 /// One point of those that coincide, in the order of features, none beyond the tolerance.
 void sort_and_merge(const ContactScale& scale, std::vector<ContactPoint>& contacts);

@@ -55,24 +55,24 @@ std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_O
 }
 
 /// All pairs near the origin but those whose unbounded shape comes second.
-std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
-                                         double tolerance) {
+std::vector<ContactPoint> contacts_within(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
+                                          double tolerance, double reach) {
   if (const Cavity* const cavity = std::get_if<Cavity>(&a))
-    return cavity_contacts(*cavity, X_OA, b, X_OB, tolerance);
+    return cavity_contacts(*cavity, X_OA, b, X_OB, reach);
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   const Mesh* const other = std::get_if<Mesh>(&b);
   if (mesh != nullptr) {
     std::vector<ContactPoint> contacts = other != nullptr
-                                             ? mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance)
-                                             : mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+                                             ? mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance, reach)
+                                             : mesh_contacts(*mesh, X_OA, b, X_OB, tolerance, reach);
     if (!contacts.empty() || std::holds_alternative<HalfSpace>(b)) return contacts;
     if (const auto enclosed = find_enclosed_contact(a, X_OA, b, X_OB)) contacts.push_back(*enclosed);
     return contacts;
   }
   const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
   const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
-  if (distance.distance > tolerance) return {};
-  const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, tolerance)};
+  if (distance.distance > reach) return {};
+  const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, reach)};
   const HalfSpace* const plane = std::get_if<HalfSpace>(&a);
   std::vector<ContactPoint> contacts =
       plane != nullptr ? plane_contacts(*plane, X_OA, pair) : convex_contacts(pair, distance);
@@ -81,11 +81,46 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
   return contacts;
 }
 
+bool has_edges(const Shape& shape) {
+  return std::holds_alternative<Box>(shape) || std::holds_alternative<Convex>(shape) ||
+         std::holds_alternative<Mesh>(shape);
+}
+
+/// The contacts that touch, and of the others near those that do not touch yet and are none of these.
+std::vector<ContactPoint> joined(const std::vector<ContactPoint>& touching,
+                                 const std::vector<ContactPoint>& near, double tolerance) {
+  std::vector<ContactPoint> all = touching;
+  for (const ContactPoint& contact : near) {
+    const bool is_known = std::ranges::any_of(
+        touching, [&](const ContactPoint& other) { return other.feature == contact.feature; });
+    if (contact.gap > tolerance && !is_known) all.push_back(contact);
+  }
+  std::ranges::stable_sort(all, {}, &ContactPoint::feature);
+  return all;
+}
+
+/// Edges that touch do so with their own normal, however far the reach is within which faces lie on each
+/// other. What overlaps by a depth lies on each other within twice that.
+std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
+                                         double tolerance, double reach) {
+  std::vector<ContactPoint> near = contacts_within(a, X_OA, b, X_OB, tolerance, reach);
+  if (near.empty() || !has_edges(a) || !has_edges(b)) return near;
+  const double deepest = std::ranges::min_element(near, {}, &ContactPoint::gap)->gap;
+  const double touching = std::max(tolerance, -2 * deepest);
+  if (deepest > tolerance || touching >= reach) return near;
+  return joined(contacts_within(a, X_OA, b, X_OB, tolerance, touching), near, tolerance);
+}
+
 }  // namespace
 
 std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b,
                                       const Pose& X_WB, double tolerance) {
-  RIGOR_ASSERT(tolerance >= 0);
+  return contact_set(shape_a, X_WA, shape_b, X_WB, tolerance, tolerance);
+}
+
+std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b,
+                                      const Pose& X_WB, double tolerance, double reach) {
+  RIGOR_ASSERT(tolerance >= 0 && reach >= tolerance);
   // A mesh that bounds a convex solid is that solid, however its faces are cut.
   const Shape &a = convex_solid(shape_a), &b = convex_solid(shape_b);
   RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)));
@@ -101,8 +136,9 @@ std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, co
   const bool is_at_b = are_meshes ? !is_exchanged : is_wide(a);
   const Vec3 origin = is_at_b ? X_WB.p : X_WA.p;
   const Pose X_OA{X_WA.R, X_WA.p - origin}, X_OB{X_WB.R, X_WB.p - origin};
-  std::vector<ContactPoint> contacts = is_exchanged ? exchanged(local_contacts(b, X_OB, a, X_OA, tolerance))
-                                                    : local_contacts(a, X_OA, b, X_OB, tolerance);
+  std::vector<ContactPoint> contacts = is_exchanged
+                                           ? exchanged(local_contacts(b, X_OB, a, X_OA, tolerance, reach))
+                                           : local_contacts(a, X_OA, b, X_OB, tolerance, reach);
   for (ContactPoint& contact : contacts) {
     contact.p_WA += origin;
     contact.p_WB += origin;

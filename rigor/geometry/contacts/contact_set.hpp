@@ -53,4 +53,11 @@ struct ContactPoint {
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance);
 
+/// The same up to the gap `reach` [m], at least the tolerance: what may come to touch in a step that closes
+/// gaps by so much. What is one place, which of several directions is as good and how far a surface may rise
+/// beside a contact are still of the tolerance for two meshes; a face of a convex shape stands for what it
+/// lies over within the reach.
+std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                                      double tolerance, double reach);
+
 }  // namespace rigor

@@ -33,18 +33,21 @@ SurfaceCurvature curvature_of(int flat_count, const Vec3& flat = Vec3::Zero()) {
 /// Collects the contacts of two meshes; sides 0 and 1 are A and B.
 class MeshPairContacts {
  public:
-  MeshPairContacts(const Mesh& a, const Pose& X_OA, const Mesh& b, const Pose& X_OB, double tolerance)
+  MeshPairContacts(const Mesh& a, const Pose& X_OA, const Mesh& b, const Pose& X_OB, double tolerance,
+                   double reach)
       : a_(a),
         b_(b),
         X_OA_(X_OA),
         X_OB_(X_OB),
         tolerance_(tolerance),
-        sides_{MeshSide(a, X_OA, 2 * tolerance), MeshSide(b, X_OB, 2 * tolerance)},
+        reach_(reach),
+        sides_{MeshSide(a, X_OA, 2 * reach), MeshSide(b, X_OB, 2 * reach)},
+        strict_{MeshSide(a, X_OA, 2 * tolerance), MeshSide(b, X_OB, 2 * tolerance)},
         slack_(kBorderSlack * (a.tree->size + b.tree->size)) {}
 
   std::vector<ContactPoint> find() {
     const Pose X_AB = relative_pose(X_OA_, X_OB_);
-    const TrianglePairs pairs = find_near_triangles(a_, b_, X_AB, tolerance_ + slack_);
+    const TrianglePairs pairs = find_near_triangles(a_, b_, X_AB, reach_ + slack_);
     if (pairs.empty()) return {};
     // Surfaces that cross may overlap by as much as the way out is long; nothing deeper is a contact.
     depth_ = tolerance_;
@@ -57,7 +60,7 @@ class MeshPairContacts {
     }
     join_sharp_contacts();
     add_witnesses(pairs);
-    sort_and_merge({.tolerance = tolerance_, .tie = 0, .slack = 0, .merge = merge()}, contacts_);
+    sort_and_merge({.tolerance = reach_, .tie = 0, .slack = 0, .merge = merge()}, contacts_);
     return std::move(contacts_);
   }
 
@@ -65,7 +68,7 @@ class MeshPairContacts {
   /// Features this near to a place may all hold what touches there.
   double sharp_reach() const { return 4 * tolerance_ + slack_; }
   double merge() const { return std::max(slack_, 1e-9 * (a_.tree->size + b_.tree->size)); }
-  bool is_within(double gap) const { return gap <= tolerance_ && gap >= -depth_; }
+  bool is_within(double gap) const { return gap <= reach_ && gap >= -depth_; }
 
   /// The corners of triangle t of one side over triangle u of the other.
   void add_corners(int side, int t, int u) {
@@ -189,7 +192,7 @@ class MeshPairContacts {
     if (!faces && !find_outward(edge_A, edge_B, q - p, n)) return;
     const double gap = n.dot(q - p);
     if (!is_within(gap)) return;
-    if (!falls_away(edge_A, edge_B, n)) return;
+    if (!falls_away(sides_, edge_A, edge_B, n)) return;
 
     ContactPoint point = on_face(p, p + gap * n, n, gap, face_is_of_A ? 0 : 1);
     if (!faces) {
@@ -204,16 +207,22 @@ class MeshPairContacts {
     (is_sharp ? sharp_ : contacts_).push_back(point);
   }
 
-  bool falls_away(int edge_A, int edge_B, const Vec3& n) const {
-    return sides_[0].falls_away_at_edge(edge_A, n) && sides_[1].falls_away_at_edge(edge_B, -n);
+  using Sides = std::array<MeshSide, 2>;
+  static bool falls_away(const Sides& sides, int edge_A, int edge_B, const Vec3& n) {
+    return sides[0].falls_away_at_edge(edge_A, n) && sides[1].falls_away_at_edge(edge_B, -n);
   }
 
-  /// Turns n from A to B, by the surfaces or, if they allow both, by the smaller gap.
+  /// Turns n from A to B, by the surfaces within the tolerance or else within the reach; if they allow both,
+  /// by the smaller gap.
   bool find_outward(int edge_A, int edge_B, const Vec3& between, Vec3& n) const {
-    const bool forward = falls_away(edge_A, edge_B, n), backward = falls_away(edge_A, edge_B, -n);
-    if (!forward && !backward) return false;
-    if (!forward || (backward && n.dot(between) < 0)) n = -n;
-    return true;
+    for (const Sides* sides : {&strict_, &sides_}) {
+      const bool forward = falls_away(*sides, edge_A, edge_B, n);
+      const bool backward = falls_away(*sides, edge_A, edge_B, -n);
+      if (!forward && !backward) continue;
+      if (!forward || (backward && n.dot(between) < 0)) n = -n;
+      return true;
+    }
+    return false;
   }
 
   /// Parts of the surfaces that hang together and come near without a contact: a corner at a corner or at an
@@ -301,7 +310,9 @@ class MeshPairContacts {
   const Pose& X_OA_;
   const Pose& X_OB_;
   const double tolerance_;
-  const std::array<MeshSide, 2> sides_;
+  const double reach_;
+  const std::array<MeshSide, 2> sides_;   ///< What rises within the reach falls away,
+  const std::array<MeshSide, 2> strict_;  ///< or within the tolerance alone.
   const double slack_;
   double depth_ = 0;  ///< Deepest gap that counts [m].
   std::set<std::array<int, 3>> seen_corners_;
@@ -313,9 +324,9 @@ class MeshPairContacts {
 }  // namespace
 
 std::vector<ContactPoint> mesh_pair_contacts(const Mesh& a, const Pose& X_OA, const Mesh& b, const Pose& X_OB,
-                                             double tolerance) {
+                                             double tolerance, double reach) {
   RIGOR_ASSERT(a.tree != nullptr && b.tree != nullptr);
-  return MeshPairContacts(a, X_OA, b, X_OB, tolerance).find();
+  return MeshPairContacts(a, X_OA, b, X_OB, tolerance, reach).find();
 }
 
 }  // namespace rigor

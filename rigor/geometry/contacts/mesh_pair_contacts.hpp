@@ -15,6 +15,6 @@ namespace rigor {
 /// so that edges within flat patches and concave edges give none. Parts that come near without any of these
 /// (a corner at a corner or at an edge) give the one point of their nearest triangles, marked degenerate.
 std::vector<ContactPoint> mesh_pair_contacts(const Mesh& a, const Pose& X_OA, const Mesh& b, const Pose& X_OB,
-                                             double tolerance);
+                                             double tolerance, double reach);
 
 }  // namespace rigor

@@ -9,6 +9,8 @@ namespace {
 
 /// A normal this far outside the cone of an edge or vertex (as a sine) counts as on its border.
 constexpr double kConeSlack = 1e-9;
+/// Sides that rise more steeply never fall away, however far the reach is.
+constexpr double kLargestSlope = 0.1;
 
 }  // namespace
 
@@ -27,7 +29,7 @@ bool MeshSide::falls_away(int t, const Vec3& p_M, const Vec3& n_M) const {
   return std::ranges::all_of(mesh_.mesh->triangles[at(t)], [&](int v) {
     // A vertex counts as below the plane if its height is within the tolerances of slope and reach.
     const Vec3 along = mesh_.mesh->vertices[at(v)] - p_M;
-    return n_M.dot(along) <= kConeSlack * along.norm() + reach_;
+    return n_M.dot(along) <= kConeSlack * along.norm() + std::min(reach_, kLargestSlope * along.norm());
   });
 }
 

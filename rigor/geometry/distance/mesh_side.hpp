@@ -14,7 +14,8 @@ namespace rigor {
 /// neighbourhoods.
 class MeshSide {
  public:
-  /// reach: neighbours that rise by no more than this along a normal still count as falling away [m].
+  /// reach: neighbours that rise by no more than this along a normal, and by a tenth of their distance, still
+  /// count as falling away [m].
   MeshSide(const Mesh& mesh, const Pose& X_OM, double reach) : mesh_(mesh), X_OM_(X_OM), reach_(reach) {}
 
   Vec3 vertex(int v) const { return X_OM_ * mesh_.mesh->vertices[at(v)]; }

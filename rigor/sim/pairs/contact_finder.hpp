@@ -23,8 +23,9 @@ class ContactFinder {
   /// All contacts of these pairs with gaps up to tolerance + the reaches of both bodies, in the order of
   /// bodies, shapes and features. `reaches`, one per body: how far its points may move in the step [m].
   std::vector<Contact> find(const State& state, const std::vector<double>& reaches, double tolerance);
-  /// All contacts of one pair with gaps up to the margin [m].
-  std::vector<Contact> find(const State& state, const std::pair<int, int>& pair, double margin) const;
+  /// All contacts of one pair with gaps up to the reach, at least the tolerance [m].
+  std::vector<Contact> find(const State& state, const std::pair<int, int>& pair, double tolerance,
+                            double reach) const;
 
  private:
   const Model& model_;

@@ -48,7 +48,7 @@ void StepContacts::begin_step(const State& state) {
 const std::vector<Contact>& StepContacts::find(const State& state, const Pair& pair, double margin) {
   const auto [place, is_new] = known_.try_emplace({pair, margin});
   const bool is_near = boxes_[rigor::at(pair.first)].grown(margin).overlaps(boxes_[rigor::at(pair.second)]);
-  if (is_new && is_near) place->second = finder_.find(state, pair, margin);
+  if (is_new && is_near) place->second = finder_.find(state, pair, tolerance_, margin);
   return place->second;
 }
 
@@ -146,7 +146,7 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
                                std::max(tolerance_, 0.5 * std::min(thickness(a), thickness(b))));
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   bool is_new = false;
-  for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], near)) {
+  for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], tolerance_, near)) {
     if (has(known, contact.key())) continue;
     // The same features at the beginning. A surface that the other body comes round to, rather than against,
     // says nothing, and no impact is early by more than the width of a body.
@@ -168,32 +168,14 @@ std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair
   std::vector<Contact> contacts;
   for (const Pair& pair : pairs) {
     if (!boxes[rigor::at(pair.first)].overlaps(boxes[rigor::at(pair.second)])) continue;
-    const std::vector<Contact> found = finder_.find(state, pair, tolerance_);
+    const std::vector<Contact> found = finder_.find(state, pair, tolerance_, tolerance_);
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   return contacts;
 }
 
 std::vector<Contact> StepContacts::at(const State& state, const std::vector<double>& reaches) {
-  std::vector<Contact> contacts = finder_.find(state, reaches, tolerance_);
-  const auto depths_of = [](const std::vector<Contact>& all) {
-    std::map<Pair, double> depths;
-    for (const Contact& contact : all) {
-      double& depth = depths[{contact.body_A, contact.body_B}];
-      depth = std::max(depth, -contact.point.gap);
-    }
-    return depths;
-  };
-
-  // Within a large margin a body stands on a face where within the tolerance it stands on the edge of it:
-  // what is deeper there than all that the margin shows.
-  for (const auto& [pair, depth] : depths_of(contacts)) {
-    if (reaches[rigor::at(pair.first)] + reaches[rigor::at(pair.second)] == 0) continue;
-    for (const Contact& contact : finder_.find(state, pair, tolerance_)) {
-      if (-contact.point.gap > depth) contacts.push_back(contact);
-    }
-  }
-  return contacts;
+  return finder_.find(state, reaches, tolerance_);
 }
 
 std::vector<Contact> StepContacts::touching(const std::vector<Contact>& contacts) const {
