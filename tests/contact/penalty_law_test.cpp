@@ -105,6 +105,7 @@ TEST(PenaltyLaw, HardensBeyondItsLimitAndKeepsItsEnergyThere) {
                       (2 * d * stiffness_at(spring, x)),
                   1, 1e-6);
       EXPECT_NEAR(depth_under(spring, f), x, 1e-12 * x);
+      EXPECT_NEAR(depth_holding(spring, stored_energy(spring, x)), x, 1e-12 * x);
     }
   }
 }

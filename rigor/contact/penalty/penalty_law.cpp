@@ -75,6 +75,24 @@ double depth_under(const PenaltySpring& spring, double force) {
   return spring.limit + hardening_length(spring) * (std::min(x, straight_from) + straight);
 }
 
+double depth_holding(const PenaltySpring& spring, double energy) {
+  if (!(energy > 0)) return 0;
+  const bool is_linear = spring.law == PenaltyNormalLaw::linear;
+  double depth =
+      is_linear ? std::sqrt(2 * energy / spring.stiffness) : std::pow(2.5 * energy / spring.stiffness, 0.4);
+  if (depth <= spring.limit) return depth;
+  // The hardened spring holds it at less: Newton's method on its convex energy, which comes down to the
+  // depth.
+  constexpr int most_steps = 100;
+  constexpr double rounding = 1e-13;
+  for (int i = 0; i < most_steps; ++i) {
+    const double excess = stored_energy(spring, depth) - energy;
+    if (excess <= rounding * energy) break;
+    depth -= excess / normal_force(spring, depth, 0);
+  }
+  return depth;
+}
+
 double stiffness_at(const PenaltySpring& spring, double depth) {
   const double positive = std::max(0.0, depth);
   if (positive <= spring.limit) return slope_within(spring, positive);

@@ -38,6 +38,8 @@ double normal_force(const PenaltySpring& spring, double depth, double depth_rate
 double stored_energy(const PenaltySpring& spring, double depth);
 /// Depth at which the spring at rest pushes by this force [N], ≥ 0 [m].
 double depth_under(const PenaltySpring& spring, double force);
+/// Depth at which the spring holds this energy [J], ≥ 0 [m].
+double depth_holding(const PenaltySpring& spring, double energy);
 /// ∂f/∂δ [N/m] and ∂f/∂δ̇ [N s/m] where the spring pushes, at this depth and rest.
 double stiffness_at(const PenaltySpring& spring, double depth);
 double damping_at(const PenaltySpring& spring, double depth);

@@ -138,9 +138,10 @@ void move_bristles(double h, Touching& touching) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     if (!(spring.bristle_stiffness > 0)) continue;
-    // Bristles follow the slip and the relative rotation.
-    move_bristle(touching.system.frames[i], h * velocity_at(u, i).head<2>(), spring);
-    if (has_moments(contact)) spring.rotation_W += h * relative_angular_velocity(touching.system, contact);
+    // Bristles follow the slip and the relative rotation while they touch.
+    const double t = touching.share_touched[i] * h;
+    move_bristle(touching.system.frames[i], t * velocity_at(u, i).head<2>(), spring);
+    if (has_moments(contact)) spring.rotation_W += t * relative_angular_velocity(touching.system, contact);
   }
 }
 

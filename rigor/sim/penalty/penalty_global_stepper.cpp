@@ -106,7 +106,8 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
   // Contacts at the end of the step, and the second half of the kick.
   state.contacts = contacts_.memories(touching_);
   write_state(t_next, state);
-  touching_ = contacts_.find(state, target_step_, 0);
+  const PosesBefore poses{t, contacts_.dynamic_bodies(), before};
+  touching_ = contacts_.find(state, target_step_, 0, &poses);
   observe_contacts(t_next);
   if (is_split) apply_kick(t_next, 0.5 * h, KickForm::implicit_kick);
   contacts_.soften(h, touching_);

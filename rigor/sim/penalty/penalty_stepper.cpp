@@ -78,6 +78,8 @@ void PenaltyStepper::begin_span(double first_end, State& state) {
     for (const ContactMemory& pressed : state.contacts) report_.work += pressed.energy;
   }
   touching_ = contacts_.find(state, horizon(state, first_end), 0);
+  // Bodies that overlap from the beginning press springs that no motion has.
+  state.contacts = contacts_.memories(touching_);
 }
 
 double PenaltyStepper::step_towards(double t_end, double t, State& state) {
@@ -119,12 +121,23 @@ void PenaltyStepper::take_step(double t_next, State& state) {
   const double h = t_next - state.t;
   const bool is_first_order = method_.integrator == IntegratorMethod::semi_implicit_euler;
   const ElasticEnergies before = elastic_energies(touching_);
+  const AdvanceReport noted = report_;
   apply_kick(state.t, is_first_order ? h : 0.5 * h, KickForm::explicit_kick);
+  const PosesBefore poses{state.t, contacts_.dynamic_bodies(), phases_};
   drift(h, t_next);
   if (note_not_finite()) return;
   // Contacts at the new positions, and the second kick.
   write_state(t_next, state);
-  touching_ = contacts_.find(state, horizon(state, t_next + target_step_), 0.5 * h);
+  touching_ = contacts_.find(state, horizon(state, t_next + target_step_), 0.5 * h, &poses);
+  if (const double share = touching_.share_before_missed; share < 1) {
+    // No contact was known to be near that the step went past: it ends there.
+    report_ = noted;
+    phases_ = poses.phases;
+    write_state(poses.t, state);
+    touching_ = contacts_.find(state, horizon(state, t_next), 0, &poses);
+    take_step(poses.t + share * h, state);
+    return;
+  }
   move_bristles(h, touching_);
   observe_contacts(t_next);
   if (!is_first_order) apply_kick(t_next, 0.5 * h, KickForm::implicit_kick);

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 namespace rigor {
 
@@ -62,44 +60,6 @@ void put_in_order(std::vector<ContactMemory>& memories) {
   std::stable_sort(memories.begin(), memories.end(),
                    [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
 }
-
-/// The memories of the State, each of which is taken once: by the contact of the same key, or by one of the
-/// same shapes if the features have changed.
-class MemoryIndex {
- public:
-  explicit MemoryIndex(const std::vector<ContactMemory>& memories) {
-    for (const ContactMemory& memory : memories) index_[memory.key()].push_back(&memory);
-  }
-  const ContactMemory* take(const ContactKey& wanted) {
-    const auto found = index_.find(wanted);
-    return found == index_.end() ? nullptr : take_first(found);
-  }
-  const ContactMemory* take_of_same_shapes(ContactKey wanted) {
-    wanted.feature = 0;
-    const auto found = index_.lower_bound(wanted);
-    if (found == index_.end()) return nullptr;
-    wanted.feature = found->first.feature;
-    return found->first == wanted ? take_first(found) : nullptr;
-  }
-  /// Number and energy of the memories that no contact took.
-  std::pair<long, double> rest() const {
-    std::pair<long, double> rest{0, 0};
-    for (const auto& [key, memories] : index_) {
-      for (const ContactMemory* memory : memories) ++rest.first, rest.second += memory->energy;
-    }
-    return rest;
-  }
-
- private:
-  using Index = std::map<ContactKey, std::vector<const ContactMemory*>>;
-  const ContactMemory* take_first(Index::iterator place) {
-    const ContactMemory* const memory = place->second.front();
-    place->second.erase(place->second.begin());
-    if (place->second.empty()) index_.erase(place);
-    return memory;
-  }
-  Index index_;
-};
 
 }  // namespace
 
@@ -203,7 +163,7 @@ double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t con
   return (std::max(0.0, spring.spring.limit - depth) + share * hardening_length(spring.spring)) / u;
 }
 
-Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
+Touching PenaltyTouching::find(const State& state, double horizon, double lag, const PosesBefore* before) {
   Touching touching;
   touching.free_time = horizon;
 
@@ -231,7 +191,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   touching.system = active.size() == all.contacts.size()
                         ? all
                         : assembler_.assemble(state.t, bodies_, now, std::move(active));
-  add_springs(state, touching);
+  add_springs(state, touching, before);
   // Contacts that part or harden end the step, too.
   const VecX u_active = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
@@ -242,59 +202,6 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
         {touching.free_time, time_to_part(touching, i, parting), time_to_harden(touching, i, -parting)});
   }
   return touching;
-}
-
-void PenaltyTouching::add_springs(const State& state, Touching& touching) const {
-  const ContactSystem& system = touching.system;
-  const std::size_t n = system.contacts.size();
-  const VecX u = relative_velocities(system);
-  // A remembered contact has no bristle if it began before the surfaces had friction.
-  const auto remembered = [&](std::size_t i, const ContactMemory& memory) {
-    PenaltyContact spring = penalty_contact(choice_, memory);
-    const Contact& contact = system.contacts[i];
-    const bool lacks_bristle = contact.friction > 0 && spring.bristle_stiffness == 0 && !contact.stop;
-    return lacks_bristle ? with_bristle(spring, contact_mobility(system, i), choice_.depth) : spring;
-  };
-  // Springs of contacts that the State remembers under the same key.
-  MemoryIndex index(state.contacts);
-  touching.springs.resize(n);
-  std::vector<std::size_t> unknown;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (const ContactMemory* const memory = index.take(system.contacts[i].key())) {
-      touching.springs[i] = remembered(i, *memory);
-    } else {
-      unknown.push_back(i);
-    }
-  }
-  // The others take over a spring of the same shapes, or get a fresh one for their approach.
-  MatX response;
-  for (const std::size_t i : unknown) {
-    const Contact& contact = system.contacts[i];
-    if (const ContactMemory* const memory = index.take_of_same_shapes(contact.key())) {
-      touching.springs[i] = remembered(i, *memory);
-      continue;
-    }
-    // What the contact moves: with joints, by the response of the whole mechanism.
-    ContactMobility mobility = contact_mobility(system, i);
-    if (system.joints) {
-      if (response.size() == 0) response = delassus(system);
-      const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
-      mobility = {response(k + 2, k + 2), std::max(response(k, k), response(k + 1, k + 1))};
-    }
-    PenaltyChoice choice = choice_;
-    choice.least_speed = least_speed(contact);
-    const double approach = std::max(0.0, -u[3 * static_cast<Eigen::Index>(i) + 2]);
-    const bool is_fresh_impact =
-        !contact.is_bounded_force() && contact.point.gap <= 0 && approach > resting_velocity_;
-    if (is_fresh_impact) touching.begun.push_back(i);
-    touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
-  }
-  // Springs that began pressed forget their offset as the contact opens.
-  for (std::size_t i = 0; i < n; ++i) {
-    PenaltyContact& spring = touching.springs[i];
-    spring.offset = std::min(spring.offset, std::max(0.0, -system.contacts[i].point.gap));
-  }
-  std::tie(touching.lost, touching.lost_energy) = index.rest();
 }
 
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,

@@ -6,6 +6,7 @@
 #include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
+#include "rigor/sim/penalty/poses_before.hpp"
 
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace rigor {
 struct Touching {
   ContactSystem system;                 ///< Of all dynamic bodies, with their contacts.
   std::vector<PenaltyContact> springs;  ///< One per contact of the system.
+  /// Per contact, the share of the motion since the poses before in which it touched.
+  std::vector<double> share_touched;
   /// Contacts without a memory that approach faster than at rest: impacts begin there.
   std::vector<std::size_t> begun;
   long lost = 0;  ///< Remembered contacts that no longer touch.
@@ -22,6 +25,9 @@ struct Touching {
   double lost_energy = 0;
   /// How long bodies may move before a contact begins or ends [s]: the step in which it does is short.
   double free_time = 0;
+  /// Share of the motion since the poses before after which the first contact was met, if that is so deep by
+  /// now that the motion has to be repeated up to there; else 1.
+  double share_before_missed = 1;
 };
 
 /// Which contacts get springs.
@@ -50,8 +56,10 @@ class PenaltyTouching {
   /// most_contacts_at_rest contacts.
   std::vector<ContactMemory> pressed_at_rest(const State& state);
   /// The contacts of the State, and how long bodies may move until others begin, at most `horizon` [s]. The
-  /// velocities may lack what steady forces add in a time `lag` [s].
-  Touching find(const State& state, double horizon, double lag);
+  /// velocities may lack what steady forces add in a time `lag` [s]. Where the bodies come from `before`, no
+  /// spring is pressed by more than the motion since has closed its gap: what else lies under a contact that
+  /// changes its features is left out of its depth.
+  Touching find(const State& state, double horizon, double lag, const PosesBefore* before = nullptr);
   /// The same contacts with the velocities of these phases.
   void update_velocities(double t, const std::vector<BodyPhase>& phases, Touching& touching) const;
   /// Softens springs that were made for a fast impact and have calmed down, slowly compared with their own
@@ -69,7 +77,18 @@ class PenaltyTouching {
   double time_to_touch(const ContactSystem& system, std::size_t contact, double u, double lag) const;
   double time_to_part(const Touching& touching, std::size_t contact, double u) const;
   static double time_to_harden(const Touching& touching, std::size_t contact, double u);
-  void add_springs(const State& state, Touching& touching) const;
+  void add_springs(const State& state, Touching& touching, const PosesBefore* before) const;
+  /// A spring for a contact that none is remembered of. response: of the mechanism, once it is known.
+  PenaltyContact fresh_spring(const ContactSystem& system, std::size_t contact, double approach,
+                              MatX& response) const;
+  /// Keeps springs from what the motion since the poses before does not press them by. energies: that they
+  /// held there [J]; unknown: contacts that were none there.
+  void limit_springs(const std::vector<double>& energies, const std::vector<std::size_t>& unknown,
+                     const PosesBefore& before, Touching& touching) const;
+  /// Notes a contact that has only just been found if it is deeper than steps are made to miss.
+  void note_missed(const Contact& contact, double approach, double closed, Touching& touching) const;
+  /// Moves the spring's zero so that it holds no more than this energy [J] and what the motion presses it by.
+  static void limit_depth(const Contact& contact, double energy, double closed, PenaltyContact& spring);
   void add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const;
 
   const Model& model_;
