@@ -22,8 +22,9 @@ struct SchemePromises {
   /// to what was rounded (AdvanceReport::rounded_momentum). A body that rests or rolls is rounded to the same
   /// side in every step. 0: they are not.
   double rounding_share = 0;
-  /// Error of the momenta besides, relative to the impulse that the weights of all bodies give in the run.
-  double weight_share = 0;
+  /// Error of the momenta besides, relative to the impulse that the weights of all bodies give in the run:
+  /// what joints and contacts hold at rest shows no momentum, but the rounding of what they take.
+  double weight_share = 1e-14;
   /// How well contact forces determine accelerations, as a share of those of the bodies' weights.
   double force_uncertainty = 0.1;
   double joint_drift = 0;                                        ///< Of any joint [m or rad].
