@@ -69,7 +69,25 @@ def meshes(draw, folder):
     return bodies, "", ""
 
 
-KINDS = [thrown, crowd, springs, hanging, driven, meshes]
+def laws(draw, folder):
+    """A motor and a force that follow laws of time, over a floor."""
+    bodies = FLOOR + body("arm", "type: box, size: [0.5, 0.06, 0.06]", [0.25, 0, 0.4]) + body("pushed", solid(draw, 0.2), [1, 0, 0.21]) + body("struck", solid(draw, 0.2), [0.3, 0, 0.21])
+    motor = draw.choice([f"{{table: [[0, 0], [0.2, {draw.uniform(-6, 6):.4g}]]}}", f"{{amplitude: {draw.uniform(1, 6):.4g}, frequency: {draw.uniform(1, 8):.4g}}}"])
+    return bodies, (f"  - {{name: drive, type: hinge, bodies: [world, arm], anchor: [0, 0, 0.4], axis: [0, 1, 0], motor: {{velocity: {motor}, max_force: {power(draw, 0, 2):.4g}}}}}\n"), (
+        f"  - {{type: constant, body: pushed, force: [{power(draw, 0, 2):.4g}, 0, 0], factor: {{amplitude: 1, frequency: {draw.uniform(1, 8):.4g}}}}}\n")
+
+
+def carried(draw, folder):
+    """Bodies at rest, on a floor and on each other, that a table on a path carries or sweeps away."""
+    bodies = FLOOR + body("base", "type: box, size: [0.4, 0.4, 0.1]", [0, 0, 0.05]) + body("top", solid(draw, 0.15), [0, 0, 0.25])
+    begin, speed = draw.uniform(0, 0.2), draw.uniform(-4, 4)
+    path = f"path: [{{time: 0, position: [2, 0, 0.2]}}, {{time: {begin:.4g}, position: [2, 0, 0.2]}}, {{time: {begin + 0.1:.4g}, position: [{2 - 0.1 * speed:.6g}, 0, 0.2]}}]"
+    bodies += f"  - {{name: table, motion: kinematic, {path}, shapes: [{{type: box, size: [0.4, 0.4, 0.1]}}]}}\n" + body("cup", solid(draw, 0.15), [2, 0.05, 0.4])
+    bodies += body("late", "type: sphere, radius: 0.08", [draw.uniform(-0.2, 0.2), 0, draw.uniform(0.5, 1)], [0, 0, -4])
+    return bodies, "", ""
+
+
+KINDS = [thrown, crowd, springs, hanging, driven, meshes, laws, carried]
 
 
 def draw_scene(scheme, number, folder):
@@ -111,11 +129,11 @@ def compare(whole, resumed):
     names, first = rows(whole.with_suffix(".csv"))
     _, second = rows(resumed.with_suffix(".csv"))
     found = []
-    # The first row is that of the checkpoint, which may lie between outputs.
-    for time, row in list(second.items())[1:]:
+    for k, (time, row) in enumerate(second.items()):
         if time not in first:
             found.append(f"a row at t = {time}")
-        elif row != first[time]:
+        # The first is that of the checkpoint: what happened before it is not known.
+        elif k > 0 and row != first[time]:
             found.append(next(f"t = {time}: {name} {b} instead of {a}" for name, a, b in zip(names, first[time], row) if a != b))
     return found[:1] + differences(*(json.loads(path.with_suffix(".json").read_text()) for path in (whole, resumed)))[:4]
 
@@ -141,7 +159,7 @@ def try_scene(options, runs, folder, work):
         return 0, [f"{kind}: the whole run ends with {code}: {errors[:200]}"] if code not in (-24, 152, 4) else []
     draw, wrong = random.Random(f"places {scheme} {number}"), []
     for k in range(PLACES_OF_A_SCENE):
-        ends = sorted(place(draw, duration, interval) for _ in range(draw.choice([1, 1, 2])))
+        ends = sorted({place(draw, duration, interval) for _ in range(draw.choice([1, 1, 2]))})
         before = []
         for i, end in enumerate(ends + [duration]):
             name = f"part{k}{i}"
