@@ -71,9 +71,9 @@ def meshes(draw, folder):
 
 def laws(draw, folder):
     """A motor and a force that follow laws of time, over a floor."""
-    bodies = FLOOR + body("arm", "type: box, size: [0.5, 0.06, 0.06]", [0.25, 0, 0.4]) + body("pushed", solid(draw, 0.2), [1, 0, 0.21]) + body("struck", solid(draw, 0.2), [0.3, 0, 0.21])
+    bodies = FLOOR + body("arm", "type: box, size: [0.5, 0.06, 0.06]", [0.25, 0, 0.6]) + body("pushed", solid(draw, 0.2), [1, 0, 0.21]) + body("struck", solid(draw, 0.2), [0.3, 0, 0.21])
     motor = draw.choice([f"{{table: [[0, 0], [0.2, {draw.uniform(-6, 6):.4g}]]}}", f"{{amplitude: {draw.uniform(1, 6):.4g}, frequency: {draw.uniform(1, 8):.4g}}}"])
-    return bodies, (f"  - {{name: drive, type: hinge, bodies: [world, arm], anchor: [0, 0, 0.4], axis: [0, 1, 0], motor: {{velocity: {motor}, max_force: {power(draw, 0, 2):.4g}}}}}\n"), (
+    return bodies, (f"  - {{name: drive, type: hinge, bodies: [world, arm], anchor: [0, 0, 0.6], axis: [0, 1, 0], motor: {{velocity: {motor}, max_force: {power(draw, 0, 2):.4g}}}}}\n"), (
         f"  - {{type: constant, body: pushed, force: [{power(draw, 0, 2):.4g}, 0, 0], factor: {{amplitude: 1, frequency: {draw.uniform(1, 8):.4g}}}}}\n")
 
 
