@@ -1,5 +1,7 @@
 #include "apps/remedies.hpp"
 
+#include "rigor/core/quoted.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +81,8 @@ std::vector<Remedy> after_wrong_motion(const Audit& audit) {
   if (is_substep(method)) return {exact_solver(), shorter_step(audit, 4)};
   if (method.scheme == Scheme::time_stepping && method.solver == SolverMethod::pgs) return {exact_solver()};
   if (method.scheme == Scheme::penalty && method.penalty == PenaltyMethod::global)
-    return {{"method.penalty=local", "sub-steps that resolve every spring; costs by the stiffest one"}};
+    return {{"method.penalty=local", "sub-steps that resolve every spring; costs by the stiffest one"},
+            time_stepping()};
   if (method.scheme == Scheme::penalty) return {shorter_step(audit, 4), time_stepping()};
   if (method.scheme == Scheme::time_stepping) return {shorter_step(audit, 4), event_driven()};
   return {time_stepping(), shorter_step(audit, 4)};
@@ -116,6 +119,15 @@ std::vector<Remedy> remedies_of(const Audit& audit) {
 
 std::string remedies_text(const Audit& audit) {
   std::string text;
+  const bool has_failed = !audit.broken.empty() || (audit.report.reason != StopReason::reached_end &&
+                                                    audit.report.reason != StopReason::interrupted);
+  for (const Audit::JointEnd& joint : audit.joints) {
+    if (has_failed && joint.has_unbounded_motor)
+      text += fmt::format(
+          "  give the motor of joint {} a max_force: without one it takes whatever force its speed asks "
+          "for\n",
+          quoted_text(joint.name));
+  }
   for (const Remedy& remedy : remedies_of(audit))
     text += fmt::format("  try --set {}: {}\n", remedy.setting, remedy.meaning);
   return text;

@@ -54,7 +54,6 @@ if [ "$scope" = all ]; then
 fi
 nice -n 19 cmake --build --preset asan -j "$jobs" --target rigor $(printf 'rigor_test_%s ' $layers)
 nice -n 19 tools/check_program.sh build/asan/rigor "$jobs"
-if [ "$scope" = all ]; then nice -n 19 python3 tools/check_advice.py build/asan/rigor; fi
 LSAN_OPTIONS=suppressions=$PWD/tools/leaks.txt:print_suppressions=0 ctest --preset asan -j "$jobs" --no-tests=error -R "^($(paste -sd'|' <<<"$layers")):"
 
 if [ "$scope" = all ]; then
@@ -66,6 +65,12 @@ if [ "$scope" = all ]; then
 
   echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"
   tools/study_meshes.sh 2000
+
+  echo "== the advice of failing runs, tried"
+  nice -n 19 tools/check_advice.py build/release/rigor --jobs "$jobs"
+
+  echo "== resumed runs of fixed steps against whole ones: 100 places a scheme (docs/reliability.md says what others do)"
+  nice -n 19 tools/check_resume.py --program build/release/rigor --jobs "$jobs" --schemes time-stepping,substep,penalty
 
   echo "== hostile scenes, changed files, and ends by SIGTERM"
   nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs"

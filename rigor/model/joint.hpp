@@ -4,6 +4,7 @@
 #include "rigor/model/joint_traits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -63,6 +64,11 @@ struct Joint {
   bool has_motor() const {
     return std::any_of(axes.begin(), axes.end(),
                        [](const JointAxis& axis) { return axis.motor.has_value(); });
+  }
+  /// Whether one of these takes whatever force its speed asks for.
+  bool has_unbounded_motor() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const JointAxis& axis) { return axis.motor && std::isinf(axis.motor->max_force); });
   }
 };
 

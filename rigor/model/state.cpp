@@ -25,6 +25,7 @@ void State::set_body(int body, const Vec3& x_new, const Quat& q_new, const Vec3&
 void State::anchor_body(int body) {
   const std::size_t i = at(body);
   double* const phase = &anchor[phase_length * i];
+  events = {};
   epoch[i] = t;
   std::copy_n(&x[3 * i], 3, phase);
   std::copy_n(&q[4 * i], 4, phase + 3);

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/types.hpp"
 #include "rigor/model/contact_memory.hpp"
+#include "rigor/model/event_memory.hpp"
 #include "rigor/model/handover_memory.hpp"
 #include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
@@ -37,6 +38,7 @@ struct State {
   /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
   std::vector<float> quiet_time;
   HandoverMemory handover;  ///< Of the scheme `auto`.
+  EventMemory events;       ///< Of schemes that go from event to event.
 
   bool operator==(const State& other) const = default;
 

@@ -13,17 +13,18 @@ namespace rigor {
 namespace {
 
 // The layout of the bytes, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n
-// of bodies, m of remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then
-// the doubles t, of the hand-over the number of the carrier, work owed, price, operations owed by steps and
-// length of soft steps, x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B,
-// shape_A, shape_B, feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of
-// 4 bytes each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum
-// (u64) of everything before it.
+// of bodies, m of remembered contacts, of remembered manifolds, of joint impulses, of quiet times and of
+// contacts of events, then the doubles t, of the hand-over the number of the carrier, work owed, price,
+// operations owed by steps and length of soft steps, whether a scheme of events has left the State (0 or 1),
+// x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
+// feature (8 bytes each), values (12 doubles) and energy, the contacts of events in the same way, then the
+// manifolds (22 numbers of 4 bytes each), the joint impulses and the quiet times (floats, two to 8 bytes),
+// then the FNV-1a checksum (u64) of everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
-constexpr std::uint64_t version = 7;
-/// Beside the header: t and the hand-over.
-constexpr std::size_t single_words = 6;
-constexpr std::size_t header_length = 56;
+constexpr std::uint64_t version = 8;
+/// Beside the header: t, the hand-over, and who has left the State.
+constexpr std::size_t single_words = 7;
+constexpr std::size_t header_length = 64;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
 constexpr std::size_t words_of_a_contact = 6 + ContactMemory::value_count;
@@ -45,6 +46,11 @@ HandoverMemory::Carrier carrier_of(double number) {
     if (number == static_cast<double>(carrier)) return carrier;
   }
   throw InputError("state: damaged, no scheme has the number " + std::to_string(number));
+}
+
+bool is_left(double number) {
+  if (number == 0 || number == 1) return number == 1;
+  throw InputError("state: damaged, it does not say whether a scheme of events has left it");
 }
 
 std::uint64_t read_number(const Bytes& bytes, std::size_t at, std::size_t length) {
@@ -84,12 +90,12 @@ std::uint64_t checksum(const Bytes& bytes, std::size_t length) {
 
 /// The counts in the header.
 struct Counts {
-  std::uint64_t bodies, contacts, manifolds, joint_impulses, quiet_times;
+  std::uint64_t bodies, contacts, manifolds, joint_impulses, quiet_times, events;
 };
 
 Counts read_counts(const Bytes& bytes) {
   return {read_number(bytes, 16, 8), read_number(bytes, 24, 8), read_number(bytes, 32, 8),
-          read_number(bytes, 40, 8), read_number(bytes, 48, 8)};
+          read_number(bytes, 40, 8), read_number(bytes, 48, 8), read_number(bytes, 56, 8)};
 }
 
 /// Whether these counts take exactly `words` numbers of 8 bytes, without overflow.
@@ -97,6 +103,7 @@ bool do_fit(const Counts& counts, std::uint64_t words) {
   const std::pair<std::uint64_t, std::uint64_t> parts[] = {
       {counts.bodies, doubles_of_a_body},
       {counts.contacts, words_of_a_contact},
+      {counts.events, words_of_a_contact},
       {counts.manifolds, words_of_a_manifold},
       {counts.joint_impulses / 2 + counts.joint_impulses % 2, 1},
       {counts.quiet_times / 2 + counts.quiet_times % 2, 1}};
@@ -125,8 +132,9 @@ void check_frame(const Bytes& bytes) {
   if (payload % 8 != 0 || !do_fit(counts, payload / 8)) {
     throw InputError("state: damaged, " + std::to_string(counts.bodies) + " bodies, " +
                      std::to_string(counts.contacts) + " contacts, " + std::to_string(counts.manifolds) +
-                     " manifolds, " + std::to_string(counts.joint_impulses) + " joint impulses and " +
-                     std::to_string(counts.quiet_times) + " quiet times do not fit its " + found);
+                     " manifolds, " + std::to_string(counts.joint_impulses) + " joint impulses, " +
+                     std::to_string(counts.quiet_times) + " quiet times and " +
+                     std::to_string(counts.events) + " contacts of events do not fit its " + found);
   }
   // The checksum last, over bytes whose layout is plausible.
   const std::size_t end = bytes.size() - checksum_length;
@@ -222,23 +230,26 @@ std::vector<unsigned char> serialise(const State& state) {
   // One allocation: the length follows from the counts.
   const std::size_t m = state.contacts.size();
   bytes.reserve(header_length +
-                8 * (single_words + doubles_of_a_body * n + words_of_a_contact * m +
+                8 * (single_words + doubles_of_a_body * n +
+                     words_of_a_contact * (m + state.events.contacts.size()) +
                      words_of_a_manifold * state.manifolds.size() + state.joint_impulses.size() +
                      state.quiet_time.size()) +
                 checksum_length);
   append(version, 8, bytes);
-  for (const std::size_t count :
-       {n, m, state.manifolds.size(), state.joint_impulses.size(), state.quiet_time.size()})
+  for (const std::size_t count : {n, m, state.manifolds.size(), state.joint_impulses.size(),
+                                  state.quiet_time.size(), state.events.contacts.size()})
     append(count, 8, bytes);
   append(std::bit_cast<std::uint64_t>(state.t), 8, bytes);
   const HandoverMemory& handover = state.handover;
   append(std::vector<double>{static_cast<double>(handover.carrier), handover.owed, handover.price,
-                             handover.owed_by_steps, handover.soft_step},
+                             handover.owed_by_steps, handover.soft_step, state.events.is_left ? 1.0 : 0.0},
          bytes);
   for (const auto* array : {&state.x, &state.q, &state.P, &state.L, &state.epoch, &state.anchor}) {
     append(*array, bytes);
   }
-  for (const ContactMemory& contact : state.contacts) append(contact, bytes);
+  for (const auto* contacts : {&state.contacts, &state.events.contacts}) {
+    for (const ContactMemory& contact : *contacts) append(contact, bytes);
+  }
   for (const ManifoldMemory& manifold : state.manifolds) append(manifold, bytes);
   append(state.joint_impulses, bytes);
   append(state.quiet_time, bytes);
@@ -258,6 +269,7 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   state.handover.price = reader.next_double();
   state.handover.owed_by_steps = reader.next_double();
   state.handover.soft_step = reader.next_double();
+  state.events.is_left = is_left(reader.next_double());
   state.x = reader.next(3 * n);
   state.q = reader.next(4 * n);
   state.P = reader.next(3 * n);
@@ -265,6 +277,7 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   state.epoch = reader.next(n);
   state.anchor = reader.next(13 * n);
   for (std::uint64_t i = 0; i < counts.contacts; ++i) state.contacts.push_back(read_contact(reader));
+  for (std::uint64_t i = 0; i < counts.events; ++i) state.events.contacts.push_back(read_contact(reader));
   for (std::uint64_t i = 0; i < counts.manifolds; ++i) state.manifolds.push_back(read_manifold(reader));
   state.joint_impulses = read_floats(static_cast<std::size_t>(counts.joint_impulses), reader);
   state.quiet_time = read_floats(static_cast<std::size_t>(counts.quiet_times), reader);

@@ -93,6 +93,14 @@ std::string contact_error(const Model& model, const State& state) {
     if (!have_squares(contact.values) || !std::isfinite(contact.energy))
       return "a remembered contact holds a number that is not finite";
   }
+  for (const ContactMemory& contact : state.events.contacts) {
+    if (!are_shapes(model, contact.key())) return "a contact that lasts is between shapes that do not exist";
+    if (!have_squares(contact.values) || contact.energy != 0)
+      return "a contact that lasts holds a number that is not finite, or energy";
+    const double mode = contact.values[EventMemory::mode];
+    if (!(mode >= 0 && mode < EventMemory::mode_count && mode == std::floor(mode)))
+      return "a contact that lasts has a mode that does not exist";
+  }
   for (const ManifoldMemory& manifold : state.manifolds) {
     if (!are_shapes(model, manifold.key()))
       return "a remembered manifold is between shapes that do not exist";

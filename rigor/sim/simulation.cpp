@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,7 +35,7 @@ class ActiveRun {
       while (static_cast<double>(output) * settings.output_interval <= state_.t + rounding) ++output;
       const double t_output = static_cast<double>(output) * settings.output_interval;
       if (t_output > settings.duration + rounding) return end_before(t_output, settings.duration);
-      advance(rounding > 0 ? t_output : std::min(t_output, settings.duration));
+      advance(t_output);
     }
     const Audit audit = auditor_.audit(state_);
     return {state_, audit, state_, audit, !continues_};
@@ -68,11 +67,6 @@ class ActiveRun {
     } else {
       auditor.observe(shown, report);
       if (shown.t > state_.t) continues_ = observer_(shown, report, auditor);
-    }
-    // Schemes without fixed steps go on from there.
-    if (stepper_->time_rounding() == 0) {
-      state_ = shown;
-      auditor_ = auditor;
     }
     return {shown, auditor.audit(shown), state_, auditor_.audit(state_), !continues_};
   }

@@ -17,8 +17,7 @@ using Observer = std::function<bool(const State& state, const AdvanceReport& sin
 struct RunResult {
   State state;  ///< At the end of the run.
   Audit audit;
-  /// From where a resumed run goes on as if this one had not ended, with the audit so far: the end; or the
-  /// last output before it, where a scheme of fixed steps ends between two outputs.
+  /// From where a resumed run goes on as if this one had not ended, with the audit so far: the last output.
   State resumable;
   Audit resumable_audit;
   bool was_stopped = false;  ///< By the observer or the interrupt.

@@ -58,6 +58,25 @@ struct Oscillator {
   }
 };
 
+TEST(DrivenScenes, WhatLiesStillComesToRestOnce) {
+  // Laws are followed step by step: a box that they do not move is not judged as one that has just been put
+  // down.
+  for (const char* const scheme : {"{scheme: event-driven}", "{scheme: hybrid}"}) {
+    Simulation simulation(scene_with(scheme, R"(
+bodies:
+  - {name: floor, motion: static, shapes: [{type: plane}]}
+  - {name: box, position: [0, 0, 0.1], shapes: [{type: box, size: [0.2, 0.2, 0.2]}]}
+  - {name: ball, position: [1, 0, 1], mass: 1, shapes: [{type: sphere, radius: 0.1}]}
+forces: [{type: constant, body: ball, force: [1, 0, 0], factor: {amplitude: 1, frequency: 2}}]
+)"));
+    simulation.advance_to(0.2);
+    EXPECT_EQ(simulation.audit().report.resting, 1) << scheme;
+    EXPECT_EQ(simulation.audit().report.separations, 0) << scheme;
+    for (const TouchingPoint& contact : simulation.contacts())
+      EXPECT_EQ(contact.mode, TouchingPoint::Mode::stick) << scheme;
+  }
+}
+
 TEST_P(EveryDrivenScheme, AForceOfTheTimeGivesItsImpulse) {
   // ∫ (0.5 + 2 sin(2π 1.5 t + 0.3)) dt along x, at a third of it along a table in z.
   Simulation simulation(scene(

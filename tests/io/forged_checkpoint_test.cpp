@@ -157,6 +157,18 @@ TEST(ForgedCheckpoint, NamesWhatCannotBe) {
             "body 'floor': its momentum is not 0, though its motion is prescribed");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.state.contacts.push_back({.body_A = 0, .body_B = 9}); }),
             "a remembered contact is between shapes that do not exist");
+  ASSERT_FALSE(checkpoint_of(own).state.events.contacts.empty());
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.events.contacts[0].body_B = 4; }),
+            "a contact that lasts is between shapes that do not exist");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.events.contacts[0].shape_A = -1; }),
+            "a contact that lasts is between shapes that do not exist");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.events.contacts[0].values[2] = INFINITY; }),
+            "a contact that lasts holds a number that is not finite, or energy");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.events.contacts[0].energy = 1; }),
+            "a contact that lasts holds a number that is not finite, or energy");
+  for (const double mode : {-1.0, 0.5, 4.0})
+    EXPECT_EQ(refusal([&](Checkpoint& c) { c.state.events.contacts[0].values[EventMemory::mode] = mode; }),
+              "a contact that lasts has a mode that does not exist");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.state.quiet_time.push_back(1); }),
             "it has 1 quiet times for 4 bodies");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.drift_joint = 1; }),

@@ -155,6 +155,22 @@ TEST(Serialise, RememberedContactsComeBack) {
   EXPECT_NE(other, state);
 }
 
+TEST(Serialise, WhatEventsRememberComesBackUntilABodyIsMoved) {
+  State state = make_initial_state(*two_bodies());
+  state.contacts.resize(1);
+  state.events.is_left = true;
+  EXPECT_EQ(deserialise(serialise(state)), state);
+  state.events.contacts.resize(2);
+  state.events.contacts[0] = {.body_A = 0, .body_B = 1, .feature = 5};
+  state.events.contacts[1].values[EventMemory::mode] = 2;
+  const State back = deserialise(serialise(state));
+  EXPECT_EQ(back, state);
+  EXPECT_TRUE(back.events.is_left);
+  EXPECT_EQ(back.events.contacts[0].feature, 5);
+  state.anchor_body(1);
+  EXPECT_EQ(state.events, EventMemory{});
+}
+
 TEST(Serialise, WhatTheManyBodyPathRemembersComesBack) {
   State state = make_initial_state(*two_bodies());
   for (int i = 0; i < 3; ++i) {
@@ -194,8 +210,8 @@ TEST(Serialise, IsLittleEndianWithAMagic) {
   state.t = 1;  // 0x3FF0000000000000
   const std::vector<unsigned char> bytes = serialise(state);
   EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 7), "RIGORST");
-  EXPECT_EQ(bytes[56 + 7], 0x3F);
-  EXPECT_EQ(bytes[56 + 6], 0xF0);
+  EXPECT_EQ(bytes[64 + 7], 0x3F);
+  EXPECT_EQ(bytes[64 + 6], 0xF0);
 }
 
 TEST(Deserialise, EveryFlippedBitIsFound) {
@@ -204,6 +220,7 @@ TEST(Deserialise, EveryFlippedBitIsFound) {
   state.manifolds.push_back({});
   state.joint_impulses = {1, 2, 3};
   state.quiet_time = {0.5f};
+  state.events.contacts.resize(1);
   const std::vector<unsigned char> good = serialise(state);
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::vector<unsigned char> bad = good;
@@ -218,6 +235,12 @@ TEST(Deserialise, EveryTruncationIsFound) {
     const std::vector<unsigned char> bad(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length));
     EXPECT_THROW(deserialise(bad), InputError) << length << " bytes";
   }
+}
+
+std::uint64_t checksum_of(const std::vector<unsigned char>& bytes, std::size_t length) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (std::size_t i = 0; i < length; ++i) hash = (hash ^ bytes[i]) * 1099511628211ull;
+  return hash;
 }
 
 std::string message_of(const std::vector<unsigned char>& bytes) {
@@ -236,14 +259,18 @@ TEST(Deserialise, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(bytes), "state: not a saved state of Rigor");
   bytes = serialise(State{});
   bytes[8] = 2;
-  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 7");
+  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 8");
   bytes = serialise(State{});
   // A count whose product with the size of a body would overflow.
   for (std::size_t i = 16; i < 24; ++i) bytes[i] = 0xFF;
-  EXPECT_EQ(
-      message_of(bytes),
-      "state: damaged, 18446744073709551615 bodies, 0 contacts, 0 manifolds, 0 joint impulses and 0 quiet "
-      "times do not fit its 112 bytes");
+  EXPECT_EQ(message_of(bytes),
+            "state: damaged, 18446744073709551615 bodies, 0 contacts, 0 manifolds, 0 joint impulses, 0 quiet "
+            "times and 0 contacts of events do not fit its 128 bytes");
+  bytes = serialise(State{});
+  bytes[64 + 8 * 6] = 1;  // A number beside 0 and 1.
+  for (std::uint64_t i = 0, hash = checksum_of(bytes, bytes.size() - 8); i < 8; ++i)
+    bytes[bytes.size() - 8 + i] = static_cast<unsigned char>(hash >> (8 * i));
+  EXPECT_EQ(message_of(bytes), "state: damaged, it does not say whether a scheme of events has left it");
   bytes = serialise(State{});
   bytes.back() ^= 1;
   EXPECT_EQ(message_of(bytes), "state: damaged, its checksum is wrong");

@@ -22,7 +22,7 @@ namespace {
 // visit_numbers, the spans of its schemes (count, then the numbers of visit_span, length and bytes of the
 // cause), its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x09";
+constexpr std::string_view magic = "RIGORCP\x0A";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;

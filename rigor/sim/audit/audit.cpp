@@ -193,7 +193,8 @@ Audit Auditor::audit(const State& state) const {
   for (const JointReaction& forces : joint_snapshot(*model_, method_, state)) {
     const Joint& joint = model_->joint(forces.joint);
     audit.joints.push_back({joint.name, forces.coordinates, forces.rates, forces.force_W, forces.torque_W,
-                            model_->has_motor(forces.joint) ? forces.efforts : std::vector<double>()});
+                            model_->has_motor(forces.joint) ? forces.efforts : std::vector<double>(),
+                            joint.has_unbounded_motor()});
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));

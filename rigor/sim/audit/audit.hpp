@@ -59,6 +59,7 @@ struct Audit {
     /// Its reaction.
     Vec3 force, torque;           ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
     std::vector<double> efforts;  ///< Of the motor of each coordinate [N m] or [N]; empty without motors.
+    bool has_unbounded_motor = false;  ///< One of its motors takes whatever force its speed asks for.
   };
   /// In the order of the scene.
   std::vector<JointEnd> joints;

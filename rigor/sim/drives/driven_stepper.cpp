@@ -75,7 +75,10 @@ double DrivenStepper::work_of_efforts(const std::vector<double>& before, const S
 /// have changed or not, so that a run that is resumed has the same bits.
 void DrivenStepper::follow_laws(State& state, double t_end) {
   DrivenLaws laws = driven_laws(*model_, state, t_end);
+  // What lasts goes on under other laws: bodies at rest do not come to rest anew.
+  EventMemory events = std::move(state.events);
   state.anchor_here();
+  state.events = std::move(events);
   if (!state.quiet_time.empty()) {
     for (const int body : driven_bodies_) state.quiet_time[at(body)] = 0;
   }

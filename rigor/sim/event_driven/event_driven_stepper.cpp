@@ -78,8 +78,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
   return report_;
 }
 
-/// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh: what an
-/// earlier call knew about them is in the State or it is not known.
+/// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh.
 void EventDrivenStepper::read_state_from_bodies(const State& state) {
   t_ = state.t;
   const bool is_continued = state == mirror_;
@@ -117,6 +116,10 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
     restored.push_back(body);
   }
   if (!is_continued) {
+    for (const ContactMemory& contact : state.events.contacts) {
+      trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+      forces_.note(force_in(contact));
+    }
     trajectories_.restore(restored, t_, queue_);
     // The contacts of the others are predicted when they have set out.
     std::vector<int> under_way;
@@ -125,7 +128,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
     trajectories_.predict_among(under_way, queue_);
   }
   next_ = {t_, QueuedEvent::Kind::window_end, -1, -1, 0, 0, 0};
-  has_given_state_ = !is_continued;
+  has_given_state_ = !is_continued && !state.events.is_left;
   if (!seeds.empty()) handle_event(seeds, {});
   has_given_state_ = false;
 }
@@ -429,7 +432,8 @@ void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& b
   }
 }
 
-/// All bodies at the end of the span. Islands end here, so that the State alone says how they continue.
+/// All bodies at the end of the span, and the contacts that last. Islands end here, so that the State alone
+/// says how they continue.
 void EventDrivenStepper::write_state_to_bodies(State& state) {
   // Islands end, with velocities that their joints allow.
   Cluster ended;
@@ -458,6 +462,9 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
     Vec3::Map(&state.P[3 * at(body)]) = now.P;
     Vec3::Map(&state.L[3 * at(body)]) = now.L;
   }
+  state.events.is_left = true;
+  state.events.contacts.clear();
+  for (const ContactForce& force : forces_.all()) state.events.contacts.push_back(memory_of(force));
   mirror_ = state;
 }
 

@@ -136,7 +136,7 @@ class EventDrivenStepper : public Stepper {
   std::vector<Searches> searches_;
   LastForces forces_;
   State mirror_;                  ///< The State as it was left.
-  bool has_given_state_ = false;  ///< While a State that this stepper did not leave is taken on.
+  bool has_given_state_ = false;  ///< While a State that no scheme of events has left is taken on.
   AdvanceReport report_;
   WorkBudget budget_;
 };

@@ -23,8 +23,8 @@ class Stepper {
   /// place has no valid State (not_finite, broken_promise, an interrupt within a step), the State stays as it
   /// was, and the report says nothing but why.
   AdvanceReport advance(State& state, double t_end);
-  /// Shows the State at t on its way to t_end > t [s], for a run that ends there. Schemes of fixed steps go
-  /// on from the State before it, as if nobody had looked; others from this one.
+  /// Shows the State at t on its way to t_end > t [s], for a run that ends there. Who goes on as if nobody
+  /// had looked does so from the State before it.
   AdvanceReport look(State& state, double t_end, double t);
   /// Shorter spans are roundings of times that are to be the same [s]; 0: there are no fixed steps.
   virtual double time_rounding() const { return 0; }

@@ -142,7 +142,7 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
     report.reason = StopReason::reached_end;
     report.detail.clear();
     report.bodies.clear();
-    // Impacts alone: which pairs came to rest and parted, a fresh stepper counts otherwise.
+    // By impacts alone: what comes to rest or parts in between is part of what they cost.
     memory_ = {.carrier = Carrier::steps,
                .owed = std::max(memory_.owed, bounds_.most_owed),
                .price = report.effort / static_cast<double>(std::max(1L, report.impacts)),

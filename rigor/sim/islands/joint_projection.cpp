@@ -41,10 +41,8 @@ Unresolved JointProjection::loop_against_motor(const std::vector<int>& bodies) c
   std::string names;
   for (const int joint : assembler_.joints_of(bodies)) {
     const Joint& description = model_.joint(joint);
-    const bool is_driven =
-        std::any_of(description.axes.begin(), description.axes.end(),
-                    [](const JointAxis& axis) { return axis.motor && std::isinf(axis.motor->max_force); });
-    if (is_driven) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", description.name);
+    if (description.has_unbounded_motor())
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", description.name);
   }
   return {bodies,
           fmt::format("the motor of joint {} has no max_force and drives a loop of joints to where it cannot "
