@@ -22,16 +22,17 @@ struct MotionProblem {
 ///   R M⁻¹ E x = c.
 ///
 /// Each round solves (ε M + E R) a = E r for the accelerations that the misses r ask for and (ε M + E Eᵀ) z =
-/// M a for forces Eᵀ z that make them; the sum of the rounds is the least-norm solution, because every Eᵀ z
-/// is in the span of Eᵀ. Both matrices have a block for each two bodies in contact and no more. With
-/// joints a and z are of the motions that these allow (NodeSystem), and so λ alone is of least norm, whatever
-/// the joints bear.
+/// M a for forces Eᵀ z that make them, of least norm for this a because every Eᵀ z is in the span of Eᵀ. So
+/// the sum of the rounds is the least-norm solution where R has the rank of E; where redundant contacts slide
+/// in different directions it is another one (docs/theory/resting.md). Both matrices have a block for each
+/// two bodies in contact and no more. With joints a and z are of the motions that these allow (NodeSystem),
+/// and so λ alone is of least norm, whatever the joints bear.
 class MotionModesSystem {
  public:
   /// Holds references to the problem and to the plan of its rows.
   MotionModesSystem(const MotionProblem& problem, const EliminationPlan& plan, const ContactModes& modes);
 
-  /// λ (3n) of least norm.
+  /// λ (3n) of least norm; where redundant contacts slide in different directions, of those with its motion.
   const VecX& least_norm() const { return lambda_; }
   /// Whether the equations hold to round-off: else the rows are too close to dependent for this method, or
   /// contradict each other.

@@ -19,7 +19,8 @@ namespace rigor {
 /// a similar problem before, is checked first, and without one that every contact holds: most problems are
 /// solved by that.
 ///
-/// λ is of least norm as with solve_coulomb, and so are the accelerations the same. Without
+/// λ is of least norm as with solve_coulomb, and so are the accelerations the same; but where redundant
+/// contacts slide in different directions it is of least norm for its accelerations only. Without
 /// options.least_norm redundant contacts may have any share of the load. With options.resolution proximal
 /// points then solve what does not hold (proximal_points.hpp): the steps of a time-stepping scheme. Else the
 /// augmented Lagrangian refines the forces to round-off itself, beginning with `forces` (3n, of a similar
