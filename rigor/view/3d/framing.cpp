@@ -112,6 +112,16 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   return balls;
 }
 
+/// Calls f for each ball. A long run of many bodies has millions of them.
+template <typename F>
+void for_each_ball(std::span<const FramedBall> balls, F f) {
+  constexpr std::size_t between_polls = 1 << 16;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (i % between_polls == 0) poll_interrupt();
+    f(balls[i]);
+  }
+}
+
 /// Largest depth e of the eye from which all balls are between two opposite edges of the picture, with t the
 /// tangent of half the angle between them.
 ///
@@ -120,29 +130,29 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
 /// and inside the left one if the same holds with x - e_x reversed; the sum of both has no e_x.
 double farthest_depth(const std::vector<FramedBall>& seen, int axis, double t) {
   double upper = -HUGE_VAL, lower = -HUGE_VAL;
-  for (const FramedBall& ball : seen) {
+  for_each_ball(seen, [&](const FramedBall& ball) {
     const double reach = ball.radius * std::sqrt(1 + t * t) - ball.p_W.z() * t;
     upper = std::max(upper, ball.p_W[axis] + reach), lower = std::max(lower, -ball.p_W[axis] + reach);
-  }
+  });
   return -0.5 * (upper + lower) / t;
 }
 
 /// Position of the eye along an axis of the picture from which the balls reach equally far to both sides.
 double centered(const std::vector<FramedBall>& seen, int axis, double depth) {
   double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const FramedBall& ball : seen)
+  for_each_ball(seen, [&](const FramedBall& ball) {
     low = std::min(low, ball.p_W[axis] - ball.radius), high = std::max(high, ball.p_W[axis] + ball.radius);
+  });
   // Bisection: the reach to one side minus the reach to the other decreases as the eye moves.
   for (int halving = 0; halving < 50; ++halving) {
-    poll_interrupt();
     const double eye = 0.5 * (low + high);
     double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const FramedBall& ball : seen) {
+    for_each_ball(seen, [&](const FramedBall& ball) {
       const double x = ball.p_W[axis] - eye, z = ball.p_W.z() - depth, r = ball.radius;
       const double reach = r * std::sqrt(std::max(0.0, x * x + z * z - r * r));
       least = std::min(least, (x * z - reach) / (z * z - r * r));
       most = std::max(most, (x * z + reach) / (z * z - r * r));
-    }
+    });
     (least + most > 0 ? low : high) = eye;
   }
   return 0.5 * (low + high);
@@ -159,11 +169,11 @@ Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
   axes << first, second, up;
   const double count = static_cast<double>(balls.size());
   Vec3 mean = Vec3::Zero(), squares = Vec3::Zero();
-  for (const FramedBall& ball : balls) mean += axes.transpose() * ball.p_W / count;
-  for (const FramedBall& ball : balls) {
+  for_each_ball(balls, [&](const FramedBall& ball) { mean += axes.transpose() * ball.p_W / count; });
+  for_each_ball(balls, [&](const FramedBall& ball) {
     squares += (axes.transpose() * ball.p_W - mean).cwiseAbs2() / count;
     squares += Vec3::Constant(ball.radius * ball.radius / 5 / count);  // Variance of the points of a ball.
-  }
+  });
   return {first, second, std::sqrt(squares.x()), std::sqrt(squares.y()), std::sqrt(squares.z())};
 }
 
@@ -222,7 +232,10 @@ Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, co
                       double field_of_view, double width_to_height) {
   const Mat3 axes = camera_axes(forward, up);
   std::vector<FramedBall> seen;
-  for (const FramedBall& ball : balls) seen.push_back({axes.transpose() * ball.p_W, ball.radius});
+  seen.reserve(balls.size());
+  for_each_ball(balls, [&](const FramedBall& ball) {
+    seen.push_back({axes.transpose() * ball.p_W, ball.radius});
+  });
   // Move the eye back until all balls fit both the width and the height.
   const double half_height = std::tan(0.5 * field_of_view) * (1 - margin);
   const double depth =
