@@ -300,6 +300,7 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
     }
   });
   s.energy_bound.hold(s.contacts, s.executor, memory_, bodies_);
+  s.passing.calm_jams(bodies_);
   // Sleep is decided by the velocities at the end of the step.
   if (s.sleepers) {
     s.sleepers->settle(h, bodies_, memory_);

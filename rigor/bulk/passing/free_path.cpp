@@ -167,14 +167,20 @@ double free_part(const ShapePath& A, const ShapePath& B, double deep_share, std:
   return Walk(A, B).free(deep_share, level);
 }
 
-}  // namespace
-
-double free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
-  std::optional<double> level;
-  return free_part(A, B, deep_share, level);
+/// Whether shapes that may come this near are so deep already that they may go deeper than others.
+bool is_deep(const ShapePath& A, const ShapePath& B, double deep_share, const std::optional<double>& level) {
+  return level && *level < -deep_share * std::min(A.thickness, B.thickness);
 }
 
-double free_segments(std::span<const PathSegment> legs, double deep_share) {
+}  // namespace
+
+FreePath free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
+  std::optional<double> level;
+  const double part = free_part(A, B, deep_share, level);
+  return {part, is_deep(A, B, deep_share, level)};
+}
+
+FreePath free_segments(std::span<const PathSegment> legs, double deep_share) {
   std::optional<double> level;
   double gone = 0;
   for (const PathSegment& leg : legs) {
@@ -182,7 +188,7 @@ double free_segments(std::span<const PathSegment> legs, double deep_share) {
     gone += part;
     if (part < 1) break;
   }
-  return gone;
+  return {gone, is_deep(legs.front().A, legs.front().B, deep_share, level)};
 }
 
 }  // namespace rigor

@@ -306,8 +306,8 @@ ShapePath PassingGuard::path_between(int body, int shape, double from, double to
 }
 
 /// From leg to leg of either way.
-double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
-                                        const BulkBodies& bodies) const {
+FreePath PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
+                                          const BulkBodies& bodies) const {
   // The bends of both ways: the ends of substeps, as parts of the way that the body may go.
   std::vector<double> times = {0, 1};
   for (const int body : {pair.body_A, pair.body_B}) {
@@ -326,12 +326,13 @@ double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
     legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
   }
   // The number of free legs becomes a part of the step again.
-  const double gone = free_segments(legs, deep_share);
-  const std::size_t last = std::min(static_cast<std::size_t>(gone), legs.size() - 1);
-  return times[last] + (gone - static_cast<double>(last)) * (times[last + 1] - times[last]);
+  const FreePath gone = free_segments(legs, deep_share);
+  const std::size_t last = std::min(static_cast<std::size_t>(gone.part), legs.size() - 1);
+  const double into_last = gone.part - static_cast<double>(last);
+  return {times[last] + into_last * (times[last + 1] - times[last]), gone.is_deep};
 }
 
-double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
+FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
   const auto shape_of = [&](int body, int shape) {
     const MotionRecord& m = bodies.motion[at(body)];
     const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
@@ -354,6 +355,7 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
 /// Takes over how far a pair may go; returns whether that is less than before.
 bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
   if (!(pair.share < 1)) return false;
+  if (pair.is_deep) jams_.push_back({pair.body_A, pair.body_B, pair.share});
   for (const auto& [body, other] : {std::pair{pair.body_A, pair.body_B}, {pair.body_B, pair.body_A}}) {
     if (!bodies.is_dynamic(body)) continue;
     const std::size_t group = at(group_[at(body)]);
@@ -415,16 +417,17 @@ void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const Bulk
 const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<ShapePair>& pairs,
                                                              double margin, const Executor& executor,
                                                              BulkBodies& bodies) {
-  constexpr int most_rounds = 8;
+  constexpr int most_rounds = 8, most_rounds_of_rest = 64;
   stopped_.clear();
+  jams_.clear();
   find_far(pairs, margin, bodies);
   if (far_.empty()) return stopped_;
 
-  // A body that stops earlier may meet others: pairs are examined until none has to go less far. Who goes
-  // nowhere meets nobody, so that the last round ends it.
+  // A body that stops earlier may meet others: pairs are examined until none has to go less far. In the last
+  // rounds bodies stop where they began: who goes nowhere meets nobody but those that follow.
   std::fill(shares_.begin(), shares_.end(), 1.0);
   std::vector<int> before;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_rounds + most_rounds_of_rest; ++round) {
     const auto is_known = [&](const FarPair& pair) {
       const auto changed = [&](int body) {
         const std::size_t k = at(group_[at(body)]);
@@ -436,14 +439,16 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       for (int k = begin; k < end; ++k) {
         FarPair& pair = far_[at(k)];
         const bool is_old = is_known(pair);
-        pair.share = is_old ? 1 : free_share(pair, bodies);
+        const FreePath free = is_old ? FreePath{1} : free_share(pair, bodies);
+        pair.share = free.part;
+        pair.is_deep = free.is_deep;
         pair.is_checked = true;
       }
     });
     before = changes_;
     bool is_done = true;
     for (FarPair& pair : far_) {
-      if (round + 1 == most_rounds && pair.share < 1) pair.share = 0;
+      if (round + 1 >= most_rounds && pair.share < 1) pair.share = 0;
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;

@@ -67,12 +67,23 @@ class PassingGuard {
   const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, double margin,
                                    const Executor& executor, BulkBodies& bodies);
 
+  /// After the last step has ended: bodies that overlapped before it already, and were to go deeper, keep the
+  /// part of their motion against each other that they went. What is left is a motion that no contact sees,
+  /// such as the spin of a body that others hold: it would take them deeper in each step to come.
+  void calm_jams(BulkBodies& bodies) const;
+
  private:
+  /// A pair that was deep, and the part of its way that it went.
+  struct Jam {
+    int body_A, body_B;
+    double share;
+  };
   /// Two shapes whose bodies move far against each other, and how far they may go.
   struct FarPair {
     int body_A, body_B, shape_A, shape_B;
     double share = 1;
     bool is_checked = false;
+    bool is_deep = false;  ///< See FreePath.
   };
   /// What is known of a shape.
   struct ShapeFacts {
@@ -103,8 +114,8 @@ class PassingGuard {
   bool bends(int body, const BulkBodies& bodies) const;
   BodyDisplacement point_at(int body, double t, const BulkBodies& bodies) const;
   ShapePath path_between(int body, int shape, double from, double to, const BulkBodies& bodies) const;
-  double free_share(const FarPair& pair, const BulkBodies& bodies) const;
-  double free_share_of_bent(const FarPair& pair, double deep_share, const BulkBodies& bodies) const;
+  FreePath free_share(const FarPair& pair, const BulkBodies& bodies) const;
+  FreePath free_share_of_bent(const FarPair& pair, double deep_share, const BulkBodies& bodies) const;
   bool shorten(const FarPair& pair, BulkBodies& bodies);
   bool is_taken_along(int body, int driver, const BulkBodies& bodies) const;
   void take_along(int body, int driver, double share, BulkBodies& bodies);
@@ -140,6 +151,7 @@ class PassingGuard {
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
   std::vector<int> changes_;    ///< How often the displacement was changed, by its group.
   std::vector<Stopped> stopped_;
+  std::vector<Jam> jams_;  ///< Of the last step, in the order in which they were found.
 };
 
 }  // namespace rigor
