@@ -19,11 +19,11 @@ struct ShapePath {
 /// How far two shapes can go.
 struct FreePath {
   double part;           ///< Of their paths, or how many of their segments.
-  bool is_deep = false;  ///< Whether they overlapped at the beginning already by nearly as much as they may.
+  bool overlap = false;  ///< Whether they did at the beginning already.
 };
 
 /// The part of their paths, at most 1, that two shapes can go until they overlap by `deep_share` of the
-/// thinner one's thickness; shapes that overlap by more at the beginning may do so by a twentieth more. The
+/// thinner one's thickness; shapes that overlap by more at the beginning may do so by a hundredth more. The
 /// path is proven free, or seen at distances that no shape skips.
 ///
 /// Source of the steps: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2.

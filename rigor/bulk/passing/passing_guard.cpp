@@ -329,7 +329,7 @@ FreePath PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share
   const FreePath gone = free_segments(legs, deep_share);
   const std::size_t last = std::min(static_cast<std::size_t>(gone.part), legs.size() - 1);
   const double into_last = gone.part - static_cast<double>(last);
-  return {times[last] + into_last * (times[last + 1] - times[last]), gone.is_deep};
+  return {times[last] + into_last * (times[last + 1] - times[last]), gone.overlap};
 }
 
 FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
@@ -343,19 +343,17 @@ FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies)
                      turning_[at(body)],
                      thickness(body, shape)};
   };
-  // What is taken along stays as deep as it is: less deep than what may be.
-  constexpr double deep_share = 0.25, deep_share_of_taken = 0.15;
-  const bool is_taken =
-      is_taken_along(pair.body_A, pair.body_B, bodies) || is_taken_along(pair.body_B, pair.body_A, bodies);
-  const double most = is_taken ? deep_share_of_taken : deep_share;
-  if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, most, bodies);
-  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), most);
+  // A pair may go deeper by the springs of its contacts before it is out of what an audit allows.
+  constexpr double deep_share = 0.15;
+  if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies))
+    return free_share_of_bent(pair, deep_share, bodies);
+  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), deep_share);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
 bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
   if (!(pair.share < 1)) return false;
-  if (pair.is_deep) jams_.push_back({pair.body_A, pair.body_B, pair.share});
+  if (pair.overlaps) jams_.push_back({pair.body_A, pair.body_B, pair.share});
   for (const auto& [body, other] : {std::pair{pair.body_A, pair.body_B}, {pair.body_B, pair.body_A}}) {
     if (!bodies.is_dynamic(body)) continue;
     const std::size_t group = at(group_[at(body)]);
@@ -441,7 +439,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
         const bool is_old = is_known(pair);
         const FreePath free = is_old ? FreePath{1} : free_share(pair, bodies);
         pair.share = free.part;
-        pair.is_deep = free.is_deep;
+        pair.overlaps = free.overlap;
         pair.is_checked = true;
       }
     });

@@ -23,7 +23,7 @@ namespace rigor {
 
 /// Keeps bodies from passing through each other within a step (docs/theory/bulk.md, section 9). Contacts are
 /// those of the beginning of the step; a body that moves farther than it is thick may meet others elsewhere.
-/// It is stopped where it first overlaps one of them by a quarter of the thinner one's thickness, with its
+/// It is stopped where it first overlaps one of them by 0.15 of the thinner one's thickness, with its
 /// velocity, and the contact there is one of the next step. From where it meets a driven body so, which
 /// nothing stops, that takes it along.
 class PassingGuard {
@@ -83,7 +83,7 @@ class PassingGuard {
     int body_A, body_B, shape_A, shape_B;
     double share = 1;
     bool is_checked = false;
-    bool is_deep = false;  ///< See FreePath.
+    bool overlaps = false;  ///< Since the beginning.
   };
   /// What is known of a shape.
   struct ShapeFacts {
