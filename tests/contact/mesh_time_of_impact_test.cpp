@@ -4,6 +4,7 @@
 #include "geometry/solid_shapes.hpp"
 #include "random_vectors.hpp"
 #include "rigor/contact/time_of_impact.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/motion/time_of_contact.hpp"
 #include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace rigor::mesh_time_of_impact_test {
@@ -114,6 +116,33 @@ TEST(MeshTimeOfImpact, EdgesThatTouchToRoundingAndPartDoNotMeet) {
     const TimeOfImpact found = impact_of(lower, Flier(cube_mesh(0.5), start), 0.1);
     EXPECT_FALSE(found.is_contact) << off;
     EXPECT_EQ(found.time, 0.1) << off;
+  }
+}
+
+TEST(MeshTimeOfImpact, EdgesThatTouchWhileBothTiltNeedFewSteps) {
+  // Two solids with hollows touch across two edges and rotate about that point, which is at rest for a
+  // moment: no direction that is fixed or rotates with one of them keeps the gap to first order.
+  constexpr double eighth = std::numbers::pi / 4;
+  const Mesh angle = as_mesh(test::l_solid());
+  const Quat q_A = rotation_exp(Vec3(-eighth, 0, 0));
+  const Quat q_B = rotation_exp(Vec3(0, 0, 2 * eighth)) * rotation_exp(Vec3(3 * eighth, 0, 0));
+  const Vec3 on_edge(1, 0, 1);
+  Random random(13);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec3 off(0, 0, std::pow(10, random.uniform(-15, -9)));
+    const Vec3 w_A = 3 * random.vector(), w_B = 3 * random.vector();
+    const Vec3 x_A = -(q_A * on_edge), x_B = off - q_B * on_edge;
+    const Flier A(angle, {x_A, q_A, w_A.cross(x_A), w_A}), B(angle, {x_B, q_B, w_B.cross(x_B), w_B});
+    const TimeOfImpact found = impact_of(A, B, 0.05);
+    EXPECT_LE(found.evaluations, 500) << trial;
+    if (!found.is_contact) {
+      EXPECT_EQ(found.time, 0.05) << trial;
+      continue;
+    }
+    // Where they come back to each other, they touch to rounding.
+    const double distance =
+        signed_distance(angle, A.part().pose(found.time), angle, B.part().pose(found.time)).distance;
+    EXPECT_NEAR(distance, 0, 1e-13) << trial;
   }
 }
 

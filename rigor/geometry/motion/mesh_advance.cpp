@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rigor {
 namespace {
@@ -21,6 +22,24 @@ namespace {
 double turning_speed(const MovingShape& moving) {
   const double radius = radius_about(*moving.shape, Vec3::Zero());
   return moving.motion->max_angular_speed() * turning_radius(*moving.shape, moving.X_BS, radius);
+}
+
+/// The direction perpendicular to edge i of a and edge k of b along which the triangles are farther apart,
+/// with the rotation that keeps it perpendicular while the bodies carry the edges: n ∝ d × e, so that
+/// ṅ ∝ (ω_A × d) × e + d × (ω_B × e), less the part along n. None across edges that are parallel to rounding.
+std::optional<PartingDirection> direction_across(const MovingTriangle& a, std::size_t i,
+                                                 const MovingTriangle& b, std::size_t k) {
+  const Vec3 d_W = a.corners_W[(i + 1) % 3] - a.corners_W[i], e_W = b.corners_W[(k + 1) % 3] - b.corners_W[k];
+  const Vec3 m_W = d_W.cross(e_W);
+  const double length = m_W.norm();
+  constexpr double parallel = 1e-9;
+  if (!(length > parallel * d_W.norm() * e_W.norm())) return std::nullopt;
+  const Vec3 n_W = m_W / length;
+  const Vec3 w_A = a.part.core().sample->w, w_B = b.part.core().sample->w;
+  const Vec3 turn_W = n_W.cross((w_A.cross(d_W).cross(e_W) + d_W.cross(w_B.cross(e_W))) / length);
+  // Both signs of n rotate alike.
+  const bool points_to_b = b.place(n_W) + a.place(-n_W) >= b.place(-n_W) + a.place(n_W);
+  return PartingDirection(points_to_b ? n_W : Vec3(-n_W), turn_W);
 }
 
 /// The time, at most `span`, for which two triangles near each other are known not to overlap [s].
@@ -42,6 +61,15 @@ double safe_triangle_step(const MovingTriangle& a, const MovingTriangle& b, cons
   for (const Vec3& n_W : from.n_W) try_direction(n_W);
   try_direction(a.normal_W);
   try_direction(-b.normal_W);
+  // Across two edges only the direction that both of them turn keeps the gap to first order. Where the
+  // triangles meet, any two edges may be those that touch.
+  for (std::size_t i = 0; i < 3 && !parting.is_whole(); ++i) {
+    for (std::size_t k = 0; k < 3 && !parting.is_whole(); ++k) {
+      if (found.feature >= 0 && found.feature != static_cast<int>(3 * i + k)) continue;
+      const std::optional<PartingDirection> along = direction_across(a, i, b, k);
+      if (along) parting.try_turning(*along, b.place(along->n_W) + a.place(-along->n_W), is_meeting);
+    }
+  }
   return parting.step();
 }
 
