@@ -219,10 +219,14 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   if (2 * static_cast<double>(most) <= least) return;
 
   // Pairs that were looked for.
-  for (const ShapePair& pair : pairs) {
+  is_examined_.assign(pairs.size(), 0);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ShapePair& pair = pairs[k];
     if (static_cast<double>(reach_[at(pair.body_A)]) + static_cast<double>(reach_[at(pair.body_B)]) <= least)
       continue;
-    if (is_far(pair, bodies)) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+    if (!is_far(pair, bodies)) continue;
+    far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+    is_examined_[k] = 1;
   }
   // And those of bodies that contacts and forces have taken beyond where pairs were looked for.
   escaped_.clear();
@@ -392,23 +396,25 @@ void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bo
   own_share = 1;
 }
 
-/// Adds the pairs of which one body has been stopped and the other goes on: contacts do not know of it, so
-/// that what moves as fast as a body that is stopped would go into it, a little in each step.
-void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies) {
+/// Adds the pairs of which one body has been stopped since `before` and the other goes on: contacts do not
+/// know of it, so that what moves as fast as a body that is stopped would go into it, a little in each step.
+void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                                 const BulkBodies& bodies) {
   constexpr double share_of_thickness = 0.05;
+  const auto is_new = [&](int body) {
+    return before[at(group_[at(body)])] != changes_[at(group_[at(body)])];
+  };
   const auto share_of = [&](int body) { return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1; };
-  for (const ShapePair& pair : pairs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ShapePair& pair = pairs[k];
+    if (is_examined_[k] != 0 || !(is_new(pair.body_A) || is_new(pair.body_B))) continue;
     const double share_A = share_of(pair.body_A), share_B = share_of(pair.body_B);
     if (share_A == share_B) continue;
     const Vec3 path = share_A * vector_of(bodies.motion[at(pair.body_A)].dp) -
                       share_B * vector_of(bodies.motion[at(pair.body_B)].dp);
     if (path.norm() <= share_of_thickness * thinner(pair)) continue;
-    const auto is_pair = [&](const FarPair& far) {
-      return far.body_A == pair.body_A && far.body_B == pair.body_B && far.shape_A == pair.shape_A &&
-             far.shape_B == pair.shape_B;
-    };
-    if (std::none_of(far_.begin(), far_.end(), is_pair))
-      far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+    far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+    is_examined_[k] = 1;
   }
 }
 
@@ -450,7 +456,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;
-    add_followers(pairs, bodies);
+    add_followers(pairs, before, bodies);
   }
 
   for (int i = 0; i < bodies.count(); ++i) {

@@ -108,7 +108,8 @@ class PassingGuard {
   double path_on(int body, int other, const BulkBodies& bodies) const;
   bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
-  void add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies);
+  void add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                     const BulkBodies& bodies);
   void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   bool bends(int body, const BulkBodies& bodies) const;
@@ -148,8 +149,9 @@ class PassingGuard {
   std::vector<int> near_;
   bool is_finite_ = true;
   std::vector<FarPair> far_;
-  std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
-  std::vector<int> changes_;    ///< How often the displacement was changed, by its group.
+  std::vector<char> is_examined_;  ///< Whether far_ has each pair that was looked for.
+  std::vector<double> shares_;     ///< Of the displacement of each body, by its group.
+  std::vector<int> changes_;       ///< How often the displacement was changed, by its group.
   std::vector<Stopped> stopped_;
   std::vector<Jam> jams_;  ///< Of the last step, in the order in which they were found.
 };
