@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 namespace rigor::passing_guard_test {
@@ -107,6 +108,67 @@ TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
   }
   // 68 here; 234 if bodies keep what others hold, 431 if they also go deeper by a twentieth in each step.
   EXPECT_LT(deep, 120);
+}
+
+/// How far two balls of 0.1 m overlap after a step of 1/60 s without gravity, where all is rotated. box: half
+/// lengths of a fixed one at the origin [m].
+double overlap_of_balls(const Vec3& box, const std::array<BodyDescription, 2>& balls, const Quat& turn) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_material({"m", 1000, 0, 0});
+  for (BodyDescription ball : balls) {
+    ball.p_WU = turn * ball.p_WU;
+    ball.velocity = turn * ball.velocity;
+    builder.add_body(ball);
+  }
+  BodyDescription fixed = random_body("box", Box{box}, Vec3::Zero());
+  fixed.q_WU = turn;
+  fixed.motion = MotionType::fixed;
+  builder.add_body(fixed);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  BulkWorld world(model, {});
+  world.read(state);
+  world.step(1.0 / 60);
+  world.write(state);
+  return 2 * 0.1 - (state.position(1) - state.position(0)).norm();
+}
+
+/// A ball of 0.1 m.
+BodyDescription ball_at(const std::string& name, const Vec3& x, const Vec3& v) {
+  BodyDescription ball = random_body(name, Sphere{0.1}, x);
+  ball.velocity = v;
+  return ball;
+}
+
+/// Two balls go one behind the other, equally fast; the first is stopped at a plate.
+TEST(PassingGuard, WhatFollowsAStoppedBodyIsStoppedToo) {
+  Draw draw(7);
+  for (int k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    const double speed = draw.between(30, 60), height = draw.between(0.12, 0.2);
+    const Vec3 v(0, 0, -speed);
+    const double overlap = overlap_of_balls(
+        Vec3(1, 1, 0.01), {ball_at("a", Vec3(0, 0, height), v), ball_at("b", Vec3(0, 0, height + 0.25), v)},
+        draw.orientation());
+    EXPECT_LT(overlap, 0.16 * 0.1);
+  }
+}
+
+/// A ball strikes a face at a slant and goes on along it, where nobody looked for what it meets: the box
+/// about its path without the face, which is along an axis, is narrow.
+TEST(PassingGuard, WhatADeflectedBodyMeetsIsSeen) {
+  Draw draw(8);
+  for (int k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    const Vec3 along(draw.between(20, 25), 0, 0), down(0, 0, -draw.between(20, 25));
+    const double overlap =
+        overlap_of_balls(Vec3(5, 5, 0.5),
+                         {ball_at("a", Vec3(0, 0, 0.601), along + down),
+                          ball_at("b", Vec3(draw.between(0.25, 0.4), 0, 0.6), Vec3::Zero())},
+                         draw.orientation());
+    EXPECT_LT(overlap, 0.16 * 0.1);
+  }
 }
 
 TEST(PassingGuard, NoBladePassesABodyAtRest) {
