@@ -289,7 +289,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;
-    add_followers(before, bodies);
+    add_followers(pairs, before, bodies);
   }
 
   for (int i = 0; i < bodies.count(); ++i) {

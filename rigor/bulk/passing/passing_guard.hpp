@@ -116,7 +116,8 @@ class PassingGuard {
   void find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
                 const BulkBodies& bodies);
   void add_escaped(const std::vector<ShapePair>& pairs, double margin, double most, const BulkBodies& bodies);
-  void add_followers(const std::vector<int>& before, const BulkBodies& bodies);
+  void add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                     const BulkBodies& bodies);
   void sort_found();
   void add_found();
   void sweep_boxes(const BulkBodies& bodies);

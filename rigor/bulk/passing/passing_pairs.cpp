@@ -144,8 +144,9 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
   const double thinnest = (1 - rounding) * least_thickness_;
   if (2 * most <= least_share * thinnest) return;
 
-  // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step.
-  constexpr double share_of_depth = 2;
+  // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step;
+  // but what is stopped for that does not get out of the way of what drives it.
+  const double share_of_depth = has_driven() ? 0 : 2;
   const auto unseen = [&](double thickness, double depth) {
     return std::max(least_share * thickness, near_share * thickness - share_of_depth * depth);
   };
@@ -192,7 +193,8 @@ void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margi
 
 /// Adds the pairs of which one body has been stopped since `before` and the other goes on: contacts do not
 /// know of it, so that what moves as fast as a body that is stopped would go into it, a little in each step.
-void PassingGuard::add_followers(const std::vector<int>& before, const BulkBodies& bodies) {
+void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                                 const BulkBodies& bodies) {
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t group = at(group_[at(i)]);
     if (!bodies.is_dynamic(i) || before[group] == changes_[group]) continue;
@@ -200,9 +202,17 @@ void PassingGuard::add_followers(const std::vector<int>& before, const BulkBodie
     for_near(i, [&](const ShapePair& pair) {
       const double share_A = share_of(pair.body_A, bodies), share_B = share_of(pair.body_B, bodies);
       if (share_A == share_B) return;
-      const Vec3 path = share_A * vector_of(bodies.motion[at(pair.body_A)].dp) -
-                        share_B * vector_of(bodies.motion[at(pair.body_B)].dp);
-      if (path.norm() > least_share * thinner(pair) && may_meet(pair.body_A, pair.body_B, bodies))
+      // A driven body may turn about a place far away.
+      const auto path_of = [&](int body, int other) -> Vec3 {
+        const MotionRecord& m = bodies.motion[at(body)];
+        if (is_driven_[at(body)] == 0) return share_of(body, bodies) * vector_of(m.dp);
+        return vector_of(m.dp) + vector_of(m.dr).cross(bodies.x[at(other)] - bodies.x[at(body)]);
+      };
+      const Vec3 path = path_of(pair.body_A, pair.body_B) - path_of(pair.body_B, pair.body_A);
+      if (path.norm() <= least_share * thinner(pair) || !may_meet(pair.body_A, pair.body_B, bodies)) return;
+      // A driven body was to be met where pairs were looked for.
+      const bool has_driven = is_driven_[at(pair.body_A)] + is_driven_[at(pair.body_B)] > 0;
+      if (!has_driven || std::binary_search(pairs.begin(), pairs.end(), pair, shapes_in_order))
         found_.push_back(pair);
     });
   }
