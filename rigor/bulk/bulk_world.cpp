@@ -263,7 +263,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
 void BulkWorld::stop_passing(double h) {
   Scratch& s = *scratch_;
   const std::vector<PassingGuard::Stopped>& all =
-      s.passing.stop(s.pairs, pair_margin(h), s.executor, bodies_);
+      s.passing.stop(s.pairs, s.manifolds, pair_margin(h), s.executor, bodies_);
   // Displacements are final now, and the work of the forces over them.
   s.energy_bound.add_work(bodies_, s.forces.accelerations(), s.executor);
   for (const PassingGuard::Stopped& stopped : all) {
@@ -300,6 +300,7 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
     }
   });
   s.energy_bound.hold(s.contacts, s.executor, memory_, bodies_);
+  s.passing.calm_jams(bodies_);
   // Sleep is decided by the velocities at the end of the step.
   if (s.sleepers) {
     s.sleepers->settle(h, bodies_, memory_);

@@ -282,38 +282,8 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
   contacts.lessen([&](int a, int b) { return std::max(lost_part_[at(a)], lost_part_[at(b)]); });
 }
 
-/// The motion of an island's bodies if they moved as one rigid body with their momenta, M V = P and I W = L
-/// about their centre of mass.
-EnergyBound::RigidMotion EnergyBound::common_motion(const IslandGain& island,
-                                                    const BulkBodies& bodies) const {
-  RigidMotion common;
-  double mass = 0;
-  for (const int i : island.bodies) {
-    const double m = model_->body(i).mass;
-    mass += m;
-    common.center += m * bodies.x[at(i)];
-    common.V += m * vector_of(bodies.motion[at(i)].v);
-  }
-  common.center /= mass;
-  common.V /= mass;
-
-  // The inertia by the theorem of parallel axes, and the angular momentum, about the common centre.
-  Mat3 inertia = Mat3::Zero();
-  Vec3 L = Vec3::Zero();
-  for (const int i : island.bodies) {
-    const Body& body = model_->body(i);
-    const Mat3 R_WB = rotation_matrix(bodies.q[at(i)]);
-    const Vec3 r = bodies.x[at(i)] - common.center;
-    inertia += R_WB * body.moments.asDiagonal() * R_WB.transpose() +
-               body.mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-    L += bodies.L[at(i)] + body.mass * r.cross(vector_of(bodies.motion[at(i)].v) - common.V);
-  }
-  common.W = inertia.llt().solve(L);
-  return common;
-}
-
 /// The kinetic energy of the bodies against a rigid motion [J].
-double EnergyBound::energy_against(const RigidMotion& common, const IslandGain& island,
+double EnergyBound::energy_against(const CommonMotion& common, const IslandGain& island,
                                    const BulkBodies& bodies) const {
   double energy = 0;
   for (const int i : island.bodies) {
@@ -330,26 +300,16 @@ double EnergyBound::energy_against(const RigidMotion& common, const IslandGain& 
 void EnergyBound::calm(const IslandGain& island, BulkBodies& bodies) const {
   // Something fixed may have changed all momenta. Of a free island the impulses of a step, whose arms turn
   // meanwhile, may have changed the angular momentum by more than can be taken: it is not kept then.
-  RigidMotion common;
+  CommonMotion common;
   if (!island.is_pressed) {
-    common = common_motion(island, bodies);
+    common = common_motion(*model_, island.bodies, bodies);
     if (energy_against(common, island, bodies) < island.gain) common.W.setZero();
   }
 
   // The part of the velocities that leaves the rest of their energy.
   const double energy = energy_against(common, island, bodies);
   const double part = energy > island.gain ? std::sqrt(1 - island.gain / energy) : 0;
-  for (const int i : island.bodies) {
-    MotionRecord& motion = bodies.motion[at(i)];
-    const Vec3 v = common.velocity_at(bodies.x[at(i)]);
-    const Vec3 v_next = v + part * (vector_of(motion.v) - v);
-    const Vec3 w_next = common.W + part * (vector_of(motion.w) - common.W);
-    for (int k = 0; k < 3; ++k) {
-      motion.v[k] = static_cast<float>(v_next[k]);
-      motion.w[k] = static_cast<float>(w_next[k]);
-    }
-    set_momentum(*model_, i, bodies);
-  }
+  keep_part_of_motion(*model_, island.bodies, common, part, bodies);
 }
 
 }  // namespace rigor

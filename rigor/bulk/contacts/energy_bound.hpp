@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/contacts/common_motion.hpp"
 #include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/manifold_memories.hpp"
@@ -54,12 +55,7 @@ class EnergyBound {
   void find_islands(const BulkContacts& contacts, const ManifoldMemories& memory, const BulkBodies& bodies);
   void empty_springs(const StepManifolds& manifolds, ManifoldMemories& memory, const BulkBodies& bodies);
   void lessen_impulses(BulkContacts& contacts, BulkBodies& bodies);
-  struct RigidMotion {
-    Vec3 center = Vec3::Zero(), V = Vec3::Zero(), W = Vec3::Zero();
-    Vec3 velocity_at(const Vec3& p) const { return V + W.cross(p - center); }
-  };
-  RigidMotion common_motion(const IslandGain& island, const BulkBodies& bodies) const;
-  double energy_against(const RigidMotion& common, const IslandGain& island, const BulkBodies& bodies) const;
+  double energy_against(const CommonMotion& common, const IslandGain& island, const BulkBodies& bodies) const;
   void calm(const IslandGain& island, BulkBodies& bodies) const;
 
   const Model* model_;

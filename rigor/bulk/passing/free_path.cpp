@@ -28,7 +28,13 @@ bool is_mesh(const Shape& shape) {
   return std::holds_alternative<Mesh>(shape);
 }
 
-constexpr double deeper_share = 0.05;  ///< What is deep already may become deeper by this share.
+constexpr double deeper_share = 0.01;  ///< What is deep already may become deeper by this share.
+
+/// What is known of two shapes where the first leg begins.
+struct Beginning {
+  double level;  ///< How near they may come [m].
+  bool overlap = false;
+};
 
 /// Whether a plane parts two shapes all along their ways, as far as they may overlap: it is seen without
 /// their distance. Tried are planes across the line of their centres, and along the faces of boxes.
@@ -85,9 +91,9 @@ class Walk {
     length_ = (A.dp_W - B.dp_W).norm() + A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
   }
 
-  /// How near they may come [m], -`deep_share` of the thinner one's thickness: found where the first leg
-  /// begins, kept on the others.
-  double free(double deep_share, std::optional<double>& level) const {
+  /// They may come as near as -`deep_share` of the thinner one's thickness. `beginning` is found where the
+  /// first leg begins and kept on the others.
+  double free(double deep_share, std::optional<Beginning>& beginning) const {
     constexpr double unseen_share = 0.5;
     constexpr int most_steps = 1000;
     const double thinner = std::min(A_.thickness, B_.thickness);
@@ -100,18 +106,21 @@ class Walk {
     double t = 0, last = 0;
     for (int k = 0; k < most_steps; ++k) {
       const DistanceResult now = distance(t);
-      if (!level) level = std::min(-deep_share * thinner, now.distance - deeper_share * thinner);
-      if (now.distance < *level) return last_free(last, t, *level);
+      if (!beginning)
+        beginning = {std::min(-deep_share * thinner, now.distance - deeper_share * thinner),
+                     now.distance < 0};
+      const double level = beginning->level;
+      if (now.distance < level) return last_free(last, t, level);
       // No point goes farther than length_ in the whole interval.
-      double step = (now.distance - *level) / length_;
+      double step = (now.distance - level) / length_;
       if (t + step >= 1) return 1;
       // A bound along the direction of the distance allows longer steps.
       if (has_bound_) {
         const SeparationBound bound(core_A_, core_B_, now.n_W, now.distance, t, 1);
-        step = std::max(step, bound.safe_step(1 - t, *level));
+        step = std::max(step, bound.safe_step(1 - t, level));
         if (t + step >= 1) return 1;
       } else if (is_mesh_and_convex_) {
-        step = std::max(step, mesh_step(t, now, -*level));
+        step = std::max(step, mesh_step(t, now, -level));
         if (t + step >= 1) return 1;
       }
       last = t;
@@ -156,33 +165,35 @@ class Walk {
   double length_;  ///< No point goes farther against the other body [m].
 };
 
-/// The part of the way that is free; `level` as in Walk.
-double free_part(const ShapePath& A, const ShapePath& B, double deep_share, std::optional<double>& level) {
+/// The part of the way that is free; `beginning` as in Walk.
+double free_part(const ShapePath& A, const ShapePath& B, double deep_share,
+                 std::optional<Beginning>& beginning) {
   const double thinner = std::min(A.thickness, B.thickness);
-  const double deepest = level.value_or(-deep_share * thinner);
-  if (PartingPlane(A, B).is_there(deepest, level.value_or(deepest + deeper_share * thinner))) {
-    level = deepest;
+  const double deepest = beginning ? beginning->level : -deep_share * thinner;
+  if (PartingPlane(A, B).is_there(deepest, beginning ? deepest : deepest + deeper_share * thinner)) {
+    if (!beginning) beginning = {deepest};
     return 1;
   }
-  return Walk(A, B).free(deep_share, level);
+  return Walk(A, B).free(deep_share, beginning);
 }
 
 }  // namespace
 
-double free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
-  std::optional<double> level;
-  return free_part(A, B, deep_share, level);
+FreePath free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
+  std::optional<Beginning> beginning;
+  const double part = free_part(A, B, deep_share, beginning);
+  return {part, beginning->overlap};
 }
 
-double free_segments(std::span<const PathSegment> legs, double deep_share) {
-  std::optional<double> level;
+FreePath free_segments(std::span<const PathSegment> legs, double deep_share) {
+  std::optional<Beginning> beginning;
   double gone = 0;
   for (const PathSegment& leg : legs) {
-    const double part = free_part(leg.A, leg.B, deep_share, level);
+    const double part = free_part(leg.A, leg.B, deep_share, beginning);
     gone += part;
     if (part < 1) break;
   }
-  return gone;
+  return {gone, beginning && beginning->overlap};
 }
 
 }  // namespace rigor

@@ -129,10 +129,11 @@ void PassingGuard::find_groups() {
 
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
   if (has_jointed_) paths_.begin(bodies.x.size(), substeps_);
-  expected_.resize(bodies.x.size());
+  planned_.resize(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
-    expected_[at(i)] = static_cast<float>(h) * reach(i, m.v, m.w);
+    store_row(static_cast<float>(h) * load_row(m.v), planned_[at(i)].dp);
+    store_row(static_cast<float>(h) * load_row(m.w), planned_[at(i)].dr);
   }
 }
 
@@ -140,144 +141,6 @@ void PassingGuard::begin(const BulkBodies& bodies, double h) {
 float PassingGuard::reach(int body, const float* linear, const float* angular) const {
   const double turning = turning_[at(body)];
   return length_of(linear) + (turning > 0 ? static_cast<float>(turning) * length_of(angular) : 0);
-}
-
-/// How thick a pair is: the thinner of two solids; what touches a surface, however thin that is, since it is
-/// held on the side on which the ball inside it is.
-double PassingGuard::thinner(const ShapePair& pair) const {
-  const double ball_A = facts(pair.body_A, pair.shape_A).ball_inside,
-               ball_B = facts(pair.body_B, pair.shape_B).ball_inside;
-  if ((ball_A < 0) != (ball_B < 0)) return std::max(ball_A, ball_B);
-  return std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
-}
-
-/// Whether the middle of a ball inside one of the shapes goes nowhere near the other, a surface that does not
-/// turn: then it is on the same side in the end.
-bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const {
-  const ShapeFacts &a = facts(pair.body_A, pair.shape_A), &b = facts(pair.body_B, pair.shape_B);
-  const bool is_A = a.ball_inside < 0;
-  if (is_A == (b.ball_inside < 0)) return false;
-  const int ground = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
-  const MotionRecord &of_ground = bodies.motion[at(ground)], &of_other = bodies.motion[at(other)];
-  if (!vector_of(of_ground.dr).isZero(0)) return false;
-  // The way of the ball's centre in the frame of the surface; it turns about that of the body.
-  const BodyShape& surface = model_->body(ground).shapes[at(is_A ? pair.shape_A : pair.shape_B)];
-  const Mesh& mesh = std::get<Mesh>(surface.shape);
-  const Pose X_OM = Pose{bodies.q[at(ground)].toRotationMatrix(), Vec3::Zero()} * surface.X_BS;
-  const Vec3 from = X_OM.R.transpose() * (bodies.x[at(other)] - bodies.x[at(ground)] - X_OM.p),
-             to = from + X_OM.R.transpose() * (vector_of(of_other.dp) - vector_of(of_ground.dp));
-  const ShapeFacts& ball = is_A ? b : a;
-  const Aabb path{from.cwiseMin(to), from.cwiseMax(to)};
-  return mesh.tree->overlapping(path.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
-}
-
-/// How far points move against each other of a body that is wide and turns, and of another that is near a
-/// place on it and may go along with it: where the other is, and about as far around as it reaches [m].
-double PassingGuard::path_on(int body, int other, const BulkBodies& bodies) const {
-  const MotionRecord &own = bodies.motion[at(body)], &of_other = bodies.motion[at(other)];
-  const Vec3 r = bodies.x[at(other)] - bodies.x[at(body)], turn = vector_of(own.dr);
-  const double angle = turn.norm();
-  return (vector_of(own.dp) + turn.cross(r) - vector_of(of_other.dp)).norm() +
-         angle * (model_->body(other).bounding_radius + 0.5 * angle * r.norm()) +
-         turning_[at(other)] * norm_of(of_other.dr);
-}
-
-/// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
-bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
-  const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
-  double path = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
-                turning_[at(pair.body_B)] * norm_of(B.dr);
-  if (!(path > near_share * thinner(pair))) return false;
-  // A half-space has no radius, and what follows is no number: the path stays.
-  path = std::min(path, path_on(pair.body_A, pair.body_B, bodies));
-  path = std::min(path, path_on(pair.body_B, pair.body_A, bodies));
-  return path > near_share * thinner(pair) && !keeps_off_surface(pair, bodies);
-}
-
-void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies) {
-  far_.clear();
-  // Most steps end here: nothing moves far. No pair is far unless its reaches add up to `least`, less a
-  // rounding in 32 bits.
-  constexpr double rounding = 1e-5;
-  const double least = (1 - rounding) * near_share * least_thickness_;
-  reach_.resize(bodies.x.size());
-  is_finite_ = true;
-  float most = 0;
-  for (int i = 0; i < bodies.count(); ++i) {
-    const MotionRecord& m = bodies.motion[at(i)];
-    reach_[at(i)] = reach(i, m.dp, m.dr);
-    if (paths_.has(i) && bends(i, bodies)) {
-      const std::array<double, 2> lengths = paths_.lengths(i);
-      const double path = lengths[0] + turning_[at(i)] * lengths[1];
-      reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(path));
-    }
-    most = std::max(most, reach_[at(i)]);
-    is_finite_ = is_finite_ && std::isfinite(reach_[at(i)]);
-  }
-  // A motion that has become infinite has no boxes; whoever steps the world sees it and stops.
-  if (!is_finite_) return;
-  if (2 * static_cast<double>(most) <= least) return;
-
-  // Pairs that were looked for.
-  for (const ShapePair& pair : pairs) {
-    if (static_cast<double>(reach_[at(pair.body_A)]) + static_cast<double>(reach_[at(pair.body_B)]) <= least)
-      continue;
-    if (is_far(pair, bodies)) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
-  }
-  // And those of bodies that contacts and forces have taken beyond where pairs were looked for.
-  escaped_.clear();
-  for (int i = 0; i < bodies.count(); ++i) {
-    const double known = static_cast<double>(expected_[at(i)]) + margin,
-                 path = static_cast<double>(reach_[at(i)]);
-    if (path + static_cast<double>(most) > least && bodies.is_dynamic(i) && path > known * (1 + 1e-3))
-      escaped_.push_back(i);
-  }
-  if (escaped_.empty()) return;
-  sweep_boxes(bodies);
-  for (const int body : escaped_) add_escaped(body, bodies);
-
-  // A pair may have been found twice, by each of its bodies or before.
-  const auto shapes = [](const FarPair& pair) {
-    return std::tie(pair.body_A, pair.body_B, pair.shape_A, pair.shape_B);
-  };
-  std::sort(far_.begin(), far_.end(),
-            [&](const FarPair& a, const FarPair& b) { return shapes(a) < shapes(b); });
-  far_.erase(std::unique(far_.begin(), far_.end(),
-                         [&](const FarPair& a, const FarPair& b) { return shapes(a) == shapes(b); }),
-             far_.end());
-}
-
-/// Boxes that bodies do not leave in the step: their centres go straight, and their points are no farther
-/// from them than the bounding radius. The tree is kept, and made anew now and then: it gets worse the
-/// farther the boxes move.
-void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
-  constexpr int refits = 64;
-  swept_.clear();
-  for (int i = 0; i < bodies.count(); ++i) {
-    const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
-    Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
-    if (bends(i, bodies)) box = {x + paths_.box(i).lower, x + paths_.box(i).upper};
-    swept_.push_back(box.grown(model_->body(i).bounding_radius));
-  }
-  if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
-  std::vector<BoxItem> items;
-  items.reserve(swept_.size());
-  for (int i = 0; i < bodies.count(); ++i) items.push_back({i, swept_[at(i)]});
-  swept_tree_.build(items);
-}
-
-void PassingGuard::add_escaped(int body, const BulkBodies& bodies) {
-  swept_tree_.overlapping(swept_[at(body)], near_);
-  for (const int other : near_) {
-    if (other == body || !filter_.may_collide(body, other)) continue;
-    const int a = std::min(body, other), b = std::max(body, other);
-    if (may_touch_ && !may_touch_(a, b)) continue;
-    for (int i = 0; i < static_cast<int>(model_->body(a).shapes.size()); ++i) {
-      for (int k = 0; k < static_cast<int>(model_->body(b).shapes.size()); ++k) {
-        if (is_far({a, b, i, k, 0}, bodies)) far_.push_back({a, b, i, k});
-      }
-    }
-  }
 }
 
 /// Whether the body has gone on an arc that is not near to its chord.
@@ -306,8 +169,7 @@ ShapePath PassingGuard::path_between(int body, int shape, double from, double to
 }
 
 /// From leg to leg of either way.
-double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
-                                        const BulkBodies& bodies) const {
+FreePath PassingGuard::free_share_of_bent(const FarPair& pair, const BulkBodies& bodies) const {
   // The bends of both ways: the ends of substeps, as parts of the way that the body may go.
   std::vector<double> times = {0, 1};
   for (const int body : {pair.body_A, pair.body_B}) {
@@ -326,12 +188,13 @@ double PassingGuard::free_share_of_bent(const FarPair& pair, double deep_share,
     legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
   }
   // The number of free legs becomes a part of the step again.
-  const double gone = free_segments(legs, deep_share);
-  const std::size_t last = std::min(static_cast<std::size_t>(gone), legs.size() - 1);
-  return times[last] + (gone - static_cast<double>(last)) * (times[last + 1] - times[last]);
+  const FreePath gone = free_segments(legs, deep_share);
+  const std::size_t last = std::min(static_cast<std::size_t>(gone.part), legs.size() - 1);
+  const double into_last = gone.part - static_cast<double>(last);
+  return {times[last] + into_last * (times[last + 1] - times[last]), gone.overlap};
 }
 
-double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
+FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
   const auto shape_of = [&](int body, int shape) {
     const MotionRecord& m = bodies.motion[at(body)];
     const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
@@ -342,18 +205,14 @@ double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) c
                      turning_[at(body)],
                      thickness(body, shape)};
   };
-  // What is taken along stays as deep as it is: less deep than what may be.
-  constexpr double deep_share = 0.25, deep_share_of_taken = 0.15;
-  const bool is_taken =
-      is_taken_along(pair.body_A, pair.body_B, bodies) || is_taken_along(pair.body_B, pair.body_A, bodies);
-  const double most = is_taken ? deep_share_of_taken : deep_share;
-  if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, most, bodies);
-  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), most);
+  if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, bodies);
+  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), deep_share);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
 bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
   if (!(pair.share < 1)) return false;
+  if (pair.overlaps) jams_.push_back({pair.body_A, pair.body_B, pair.share});
   for (const auto& [body, other] : {std::pair{pair.body_A, pair.body_B}, {pair.body_B, pair.body_A}}) {
     if (!bodies.is_dynamic(body)) continue;
     const std::size_t group = at(group_[at(body)]);
@@ -392,39 +251,20 @@ void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bo
   own_share = 1;
 }
 
-/// Adds the pairs of which one body has been stopped and the other goes on: contacts do not know of it, so
-/// that what moves as fast as a body that is stopped would go into it, a little in each step.
-void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies) {
-  constexpr double share_of_thickness = 0.05;
-  const auto share_of = [&](int body) { return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1; };
-  for (const ShapePair& pair : pairs) {
-    const double share_A = share_of(pair.body_A), share_B = share_of(pair.body_B);
-    if (share_A == share_B) continue;
-    const Vec3 path = share_A * vector_of(bodies.motion[at(pair.body_A)].dp) -
-                      share_B * vector_of(bodies.motion[at(pair.body_B)].dp);
-    if (path.norm() <= share_of_thickness * thinner(pair)) continue;
-    const auto is_pair = [&](const FarPair& far) {
-      return far.body_A == pair.body_A && far.body_B == pair.body_B && far.shape_A == pair.shape_A &&
-             far.shape_B == pair.shape_B;
-    };
-    if (std::none_of(far_.begin(), far_.end(), is_pair))
-      far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
-  }
-}
-
 const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<ShapePair>& pairs,
-                                                             double margin, const Executor& executor,
-                                                             BulkBodies& bodies) {
-  constexpr int most_rounds = 8;
+                                                             const ManifoldList& manifolds, double margin,
+                                                             const Executor& executor, BulkBodies& bodies) {
+  constexpr int most_rounds = 8, most_rounds_of_rest = 64;
   stopped_.clear();
-  find_far(pairs, margin, bodies);
+  jams_.clear();
+  std::fill(shares_.begin(), shares_.end(), 1.0);
+  find_far(pairs, manifolds, margin, bodies);
   if (far_.empty()) return stopped_;
 
-  // A body that stops earlier may meet others: pairs are examined until none has to go less far. Who goes
-  // nowhere meets nobody, so that the last round ends it.
-  std::fill(shares_.begin(), shares_.end(), 1.0);
+  // A body that stops earlier may meet others: pairs are examined until none has to go less far. In the last
+  // rounds bodies stop where they began: who goes nowhere meets nobody but those that follow.
   std::vector<int> before;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_rounds + most_rounds_of_rest; ++round) {
     const auto is_known = [&](const FarPair& pair) {
       const auto changed = [&](int body) {
         const std::size_t k = at(group_[at(body)]);
@@ -436,18 +276,20 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       for (int k = begin; k < end; ++k) {
         FarPair& pair = far_[at(k)];
         const bool is_old = is_known(pair);
-        pair.share = is_old ? 1 : free_share(pair, bodies);
+        const FreePath free = is_old ? FreePath{1} : free_share(pair, bodies);
+        pair.share = free.part;
+        pair.overlaps = free.overlap;
         pair.is_checked = true;
       }
     });
     before = changes_;
     bool is_done = true;
     for (FarPair& pair : far_) {
-      if (round + 1 == most_rounds && pair.share < 1) pair.share = 0;
+      if (round + 1 >= most_rounds && pair.share < 1) pair.share = 0;
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;
-    add_followers(pairs, bodies);
+    add_followers(pairs, before, bodies);
   }
 
   for (int i = 0; i < bodies.count(); ++i) {

@@ -23,7 +23,7 @@ namespace rigor {
 
 /// Keeps bodies from passing through each other within a step (docs/theory/bulk.md, section 9). Contacts are
 /// those of the beginning of the step; a body that moves farther than it is thick may meet others elsewhere.
-/// It is stopped where it first overlaps one of them by a quarter of the thinner one's thickness, with its
+/// It is stopped where it first overlaps one of them by 0.15 of the thinner one's thickness, with its
 /// velocity, and the contact there is one of the next step. From where it meets a driven body so, which
 /// nothing stops, that takes it along.
 class PassingGuard {
@@ -62,17 +62,28 @@ class PassingGuard {
     int body;
     double share;
   };
-  /// After the last substep: shortens the displacements of bodies that would pass others. pairs: those that
-  /// were looked for at the beginning, up to `margin` [m] beyond how far bodies were to go.
-  const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, double margin,
-                                   const Executor& executor, BulkBodies& bodies);
+  /// After the last substep: shortens the displacements of bodies that would pass others. pairs, manifolds:
+  /// those that were found at the beginning, up to `margin` [m] beyond how far bodies were to go.
+  const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                                   double margin, const Executor& executor, BulkBodies& bodies);
+
+  /// After the last step has ended: bodies that overlapped before it already, and were to go deeper, keep the
+  /// part of their motion against each other that they went. What is left is a motion that no contact sees,
+  /// such as the spin of a body that others hold: it would take them deeper in each step to come.
+  void calm_jams(BulkBodies& bodies) const;
 
  private:
+  /// A pair that was deep, and the part of its way that it went.
+  struct Jam {
+    int body_A, body_B;
+    double share;
+  };
   /// Two shapes whose bodies move far against each other, and how far they may go.
   struct FarPair {
     int body_A, body_B, shape_A, shape_B;
     double share = 1;
     bool is_checked = false;
+    bool overlaps = false;  ///< Since the beginning.
   };
   /// What is known of a shape.
   struct ShapeFacts {
@@ -95,16 +106,28 @@ class PassingGuard {
   bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
   float reach(int body, const float* linear, const float* angular) const;
   double path_on(int body, int other, const BulkBodies& bodies) const;
-  bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
-  void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
-  void add_followers(const std::vector<ShapePair>& pairs, const BulkBodies& bodies);
+  bool is_far(const ShapePair& pair, double least, const BulkBodies& bodies) const;
+  bool may_meet(int a, int b, const BulkBodies& bodies) const;
+  double share_of(int body, const BulkBodies& bodies) const {
+    return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+  }
+  float find_reaches(const BulkBodies& bodies);
+  float find_depths(std::size_t pairs, const ManifoldList& manifolds);
+  void find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
+                const BulkBodies& bodies);
+  void add_escaped(const std::vector<ShapePair>& pairs, double margin, double most, const BulkBodies& bodies);
+  void add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                     const BulkBodies& bodies);
+  void sort_found();
+  void add_found();
   void sweep_boxes(const BulkBodies& bodies);
-  void add_escaped(int body, const BulkBodies& bodies);
+  template <class Visit>
+  void for_near(int body, const Visit& visit);
   bool bends(int body, const BulkBodies& bodies) const;
   BodyDisplacement point_at(int body, double t, const BulkBodies& bodies) const;
   ShapePath path_between(int body, int shape, double from, double to, const BulkBodies& bodies) const;
-  double free_share(const FarPair& pair, const BulkBodies& bodies) const;
-  double free_share_of_bent(const FarPair& pair, double deep_share, const BulkBodies& bodies) const;
+  FreePath free_share(const FarPair& pair, const BulkBodies& bodies) const;
+  FreePath free_share_of_bent(const FarPair& pair, const BulkBodies& bodies) const;
   bool shorten(const FarPair& pair, BulkBodies& bodies);
   bool is_taken_along(int body, int driver, const BulkBodies& bodies) const;
   void take_along(int body, int driver, double share, BulkBodies& bodies);
@@ -128,18 +151,25 @@ class PassingGuard {
   bool has_jointed_ = false;
   JointedPaths paths_;
   bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
-  std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
-  std::vector<float> reach_;     ///< And as it has moved [m].
-  std::vector<int> escaped_;     ///< Bodies that went beyond where pairs were looked for.
-  std::vector<Aabb> swept_;      ///< Boxes that the bodies do not leave in the step.
-  AabbTree swept_tree_;          ///< Of swept_.
+  /// Where a body goes at the velocities of the beginning.
+  struct Plan {
+    float dp[4], dr[4];
+  };
+  std::vector<Plan> planned_;     ///< Of each body.
+  std::vector<float> reach_;      ///< How far points of each body have moved [m].
+  std::vector<float> depths_;     ///< Overlap of each pair that was looked for at the beginning [m].
+  std::vector<ShapePair> found_;  ///< That may be in far_ already.
+  bool is_swept_ = false;         ///< Whether swept_ is of this step.
+  std::vector<Aabb> swept_;       ///< Boxes that the bodies do not leave in the step.
+  AabbTree swept_tree_;           ///< Of swept_.
   long sweeps_ = 0;
   std::vector<int> near_;
   bool is_finite_ = true;
-  std::vector<FarPair> far_;
+  std::vector<FarPair> far_;    ///< In ascending order.
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
   std::vector<int> changes_;    ///< How often the displacement was changed, by its group.
   std::vector<Stopped> stopped_;
+  std::vector<Jam> jams_;  ///< Of the last step, in the order in which they were found.
 };
 
 }  // namespace rigor

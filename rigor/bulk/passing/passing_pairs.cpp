@@ -1,0 +1,275 @@
+// Which pairs the passing guard examines: those that have moved far against each other.
+
+#include "rigor/bulk/passing/passing_guard.hpp"
+#include "rigor/bulk/passing/passing_limits.hpp"
+#include "rigor/bulk/state/vector_of.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+constexpr auto shapes_in_order = [](const auto& a, const auto& b) {
+  return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B) <
+         std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B);
+};
+constexpr auto are_same_shapes = [](const auto& a, const auto& b) {
+  return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B) ==
+         std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B);
+};
+
+/// Erases those that are known; both lists are in order.
+template <class Pair>
+void erase_known(const std::vector<Pair>& known, std::vector<ShapePair>& found) {
+  auto next = known.begin();
+  std::erase_if(found, [&](const ShapePair& pair) {
+    while (next != known.end() && shapes_in_order(*next, pair)) ++next;
+    return next != known.end() && are_same_shapes(*next, pair);
+  });
+}
+
+}  // namespace
+
+/// How thick a pair is: the thinner of two solids; what touches a surface, however thin that is, since it is
+/// held on the side on which the ball inside it is.
+double PassingGuard::thinner(const ShapePair& pair) const {
+  const double ball_A = facts(pair.body_A, pair.shape_A).ball_inside,
+               ball_B = facts(pair.body_B, pair.shape_B).ball_inside;
+  if ((ball_A < 0) != (ball_B < 0)) return std::max(ball_A, ball_B);
+  return std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+}
+
+/// Whether the middle of a ball inside one of the shapes goes nowhere near the other, a surface that does not
+/// turn: then it is on the same side in the end.
+bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const {
+  const ShapeFacts &a = facts(pair.body_A, pair.shape_A), &b = facts(pair.body_B, pair.shape_B);
+  const bool is_A = a.ball_inside < 0;
+  if (is_A == (b.ball_inside < 0)) return false;
+  const int ground = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
+  const MotionRecord &of_ground = bodies.motion[at(ground)], &of_other = bodies.motion[at(other)];
+  if (!vector_of(of_ground.dr).isZero(0)) return false;
+  // The way of the ball's centre in the frame of the surface; it turns about that of the body.
+  const BodyShape& surface = model_->body(ground).shapes[at(is_A ? pair.shape_A : pair.shape_B)];
+  const Mesh& mesh = std::get<Mesh>(surface.shape);
+  const Pose X_OM = Pose{bodies.q[at(ground)].toRotationMatrix(), Vec3::Zero()} * surface.X_BS;
+  const Vec3 from = X_OM.R.transpose() * (bodies.x[at(other)] - bodies.x[at(ground)] - X_OM.p),
+             to = from + X_OM.R.transpose() * (vector_of(of_other.dp) - vector_of(of_ground.dp));
+  const ShapeFacts& ball = is_A ? b : a;
+  const Aabb path{from.cwiseMin(to), from.cwiseMax(to)};
+  return mesh.tree->overlapping(path.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
+}
+
+/// How far points move against each other of a body that is wide and turns, and of another that is near a
+/// place on it and may go along with it: where the other is, and about as far around as it reaches [m].
+double PassingGuard::path_on(int body, int other, const BulkBodies& bodies) const {
+  const MotionRecord &own = bodies.motion[at(body)], &of_other = bodies.motion[at(other)];
+  const Vec3 r = bodies.x[at(other)] - bodies.x[at(body)], turn = vector_of(own.dr);
+  const double angle = turn.norm();
+  return (vector_of(own.dp) + turn.cross(r) - vector_of(of_other.dp)).norm() +
+         angle * (model_->body(other).bounding_radius + 0.5 * angle * r.norm()) +
+         turning_[at(other)] * norm_of(of_other.dr);
+}
+
+/// Whether the bodies have moved by more than `least` [m] against each other.
+bool PassingGuard::is_far(const ShapePair& pair, double least, const BulkBodies& bodies) const {
+  const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
+  double path = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
+                turning_[at(pair.body_B)] * norm_of(B.dr);
+  if (!(path > least)) return false;
+  // A half-space has no radius, and what follows is no number: the path stays.
+  path = std::min(path, path_on(pair.body_A, pair.body_B, bodies));
+  path = std::min(path, path_on(pair.body_B, pair.body_A, bodies));
+  return path > least && !keeps_off_surface(pair, bodies);
+}
+
+/// Whether the balls about two bodies come to overlap as far as these may go now.
+bool PassingGuard::may_meet(int a, int b, const BulkBodies& bodies) const {
+  if (bends(a, bodies) || bends(b, bodies)) return true;
+  const Vec3 from = bodies.x[at(b)] - bodies.x[at(a)],
+             path = share_of(b, bodies) * vector_of(bodies.motion[at(b)].dp) -
+                    share_of(a, bodies) * vector_of(bodies.motion[at(a)].dp);
+  const double squared = path.squaredNorm();
+  const double nearest = squared > 0 ? std::clamp(-from.dot(path) / squared, 0.0, 1.0) : 0;
+  return (from + nearest * path).norm() <= model_->body(a).bounding_radius + model_->body(b).bounding_radius;
+}
+
+/// Finds how far points of each body have moved; returns the most of all [m].
+float PassingGuard::find_reaches(const BulkBodies& bodies) {
+  reach_.resize(bodies.x.size());
+  is_finite_ = true;
+  float most = 0;
+  for (int i = 0; i < bodies.count(); ++i) {
+    const MotionRecord& m = bodies.motion[at(i)];
+    reach_[at(i)] = reach(i, m.dp, m.dr);
+    if (paths_.has(i) && bends(i, bodies)) {
+      const std::array<double, 2> lengths = paths_.lengths(i);
+      const double path = lengths[0] + turning_[at(i)] * lengths[1];
+      reach_[at(i)] = std::max(reach_[at(i)], static_cast<float>(path));
+    }
+    most = std::max(most, reach_[at(i)]);
+    is_finite_ = is_finite_ && std::isfinite(reach_[at(i)]);
+  }
+  return most;
+}
+
+/// Finds how deep the pairs overlapped at the beginning; returns the deepest of all [m].
+float PassingGuard::find_depths(std::size_t pairs, const ManifoldList& manifolds) {
+  depths_.assign(pairs, 0);
+  float deepest = 0;
+  for (std::size_t k = 0; k < manifolds.size(); ++k) {
+    const ManifoldView manifold = manifolds.view(k);
+    float& depth = depths_[at(manifolds.pair(k))];
+    for (int i = 0; i < manifold.point_count; ++i) depth = std::max(depth, -manifold.points[i].gap);
+    deepest = std::max(deepest, depth);
+  }
+  return deepest;
+}
+
+void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
+                            const BulkBodies& bodies) {
+  far_.clear();
+  is_swept_ = false;
+  const double most = static_cast<double>(find_reaches(bodies));
+  // A motion that has become infinite has no boxes; whoever steps the world sees it and stops.
+  if (!is_finite_) return;
+  // Most steps end here: nothing moves far. No pair is far unless its reaches add up to `least`, less a
+  // rounding in 32 bits.
+  constexpr double rounding = 1e-5;
+  const double thinnest = (1 - rounding) * least_thickness_;
+  if (2 * most <= least_share * thinnest) return;
+
+  // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step;
+  // but what is stopped for that does not get out of the way of what drives it.
+  const double share_of_depth = has_driven() ? 0 : 2;
+  const auto unseen = [&](double thickness, double depth) {
+    return std::max(least_share * thickness, near_share * thickness - share_of_depth * depth);
+  };
+  const double deepest = static_cast<double>(find_depths(pairs.size(), manifolds));
+  if (2 * most > unseen(thinnest, deepest)) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const ShapePair& pair = pairs[k];
+      const double depth = static_cast<double>(depths_[k]),
+                   reach_A = static_cast<double>(reach_[at(pair.body_A)]),
+                   reach_B = static_cast<double>(reach_[at(pair.body_B)]);
+      if (reach_A + reach_B <= unseen(thinnest, depth)) continue;
+      if (is_far(pair, unseen(thinner(pair), depth), bodies))
+        far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+    }
+  }
+  add_escaped(pairs, margin, most, bodies);
+}
+
+/// Adds the pairs of bodies that contacts and forces have taken beyond where pairs were looked for, `margin`
+/// [m] around where both were to go. They have no contact that holds them.
+void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margin, double most,
+                               const BulkBodies& bodies) {
+  // One of two bodies that meet unforeseen, and get as deep as matters, has left its path by half of that.
+  const double least = near_share * least_thickness_, least_off = 0.5 * (margin + least);
+  if (2 * most <= least) return;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (!bodies.is_dynamic(i) || static_cast<double>(reach_[at(i)]) + most <= least) continue;
+    const MotionRecord& m = bodies.motion[at(i)];
+    Plan off;
+    store_row(load_row(m.dp) - load_row(planned_[at(i)].dp), off.dp);
+    store_row(load_row(m.dr) - load_row(planned_[at(i)].dr), off.dr);
+    if (static_cast<double>(reach(i, off.dp, off.dr)) <= least_off) continue;
+    sweep_boxes(bodies);
+    for_near(i, [&](const ShapePair& pair) {
+      if (may_meet(pair.body_A, pair.body_B, bodies)) found_.push_back(pair);
+    });
+  }
+  sort_found();
+  erase_known(pairs, found_);
+  std::erase_if(found_,
+                [&](const ShapePair& pair) { return !is_far(pair, deep_share * thinner(pair), bodies); });
+  add_found();
+}
+
+/// Adds the pairs of which one body has been stopped since `before` and the other goes on: contacts do not
+/// know of it, so that what moves as fast as a body that is stopped would go into it, a little in each step.
+void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
+                                 const BulkBodies& bodies) {
+  for (int i = 0; i < bodies.count(); ++i) {
+    const std::size_t group = at(group_[at(i)]);
+    if (!bodies.is_dynamic(i) || before[group] == changes_[group]) continue;
+    sweep_boxes(bodies);
+    for_near(i, [&](const ShapePair& pair) {
+      const double share_A = share_of(pair.body_A, bodies), share_B = share_of(pair.body_B, bodies);
+      if (share_A == share_B) return;
+      // A driven body may turn about a place far away.
+      const auto path_of = [&](int body, int other) -> Vec3 {
+        const MotionRecord& m = bodies.motion[at(body)];
+        if (is_driven_[at(body)] == 0) return share_of(body, bodies) * vector_of(m.dp);
+        return vector_of(m.dp) + vector_of(m.dr).cross(bodies.x[at(other)] - bodies.x[at(body)]);
+      };
+      const Vec3 path = path_of(pair.body_A, pair.body_B) - path_of(pair.body_B, pair.body_A);
+      if (path.norm() <= least_share * thinner(pair) || !may_meet(pair.body_A, pair.body_B, bodies)) return;
+      // A driven body was to be met where pairs were looked for.
+      const bool has_driven = is_driven_[at(pair.body_A)] + is_driven_[at(pair.body_B)] > 0;
+      if (!has_driven || std::binary_search(pairs.begin(), pairs.end(), pair, shapes_in_order))
+        found_.push_back(pair);
+    });
+  }
+  sort_found();
+  add_found();
+}
+
+/// A pair may have been found by each of its bodies.
+void PassingGuard::sort_found() {
+  std::sort(found_.begin(), found_.end(), shapes_in_order);
+  found_.erase(std::unique(found_.begin(), found_.end(), are_same_shapes), found_.end());
+}
+
+/// What is known of a pair that was found before stays.
+void PassingGuard::add_found() {
+  erase_known(far_, found_);
+  const std::ptrdiff_t known = std::ssize(far_);
+  for (const ShapePair& pair : found_) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+  std::inplace_merge(far_.begin(), far_.begin() + known, far_.end(), shapes_in_order);
+  found_.clear();
+}
+
+/// Boxes that bodies do not leave in the step: their centres go straight, and their points are no farther
+/// from them than the bounding radius. The tree is kept, and made anew now and then: it gets worse the
+/// farther the boxes move.
+void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
+  if (is_swept_) return;
+  is_swept_ = true;
+  constexpr int refits = 64;
+  swept_.clear();
+  for (int i = 0; i < bodies.count(); ++i) {
+    const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
+    Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
+    if (bends(i, bodies)) box = {x + paths_.box(i).lower, x + paths_.box(i).upper};
+    swept_.push_back(box.grown(model_->body(i).bounding_radius));
+  }
+  if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
+  std::vector<BoxItem> items;
+  items.reserve(swept_.size());
+  for (int i = 0; i < bodies.count(); ++i) items.push_back({i, swept_[at(i)]});
+  swept_tree_.build(items);
+}
+
+/// Calls visit(pair) for all shapes of a body and of those whose swept boxes overlap its own, where they may
+/// touch.
+template <class Visit>
+void PassingGuard::for_near(int body, const Visit& visit) {
+  swept_tree_.overlapping(swept_[at(body)], near_);
+  for (const int other : near_) {
+    if (other == body || !filter_.may_collide(body, other)) continue;
+    const int a = std::min(body, other), b = std::max(body, other);
+    if (may_touch_ && !may_touch_(a, b)) continue;
+    for (int i = 0; i < static_cast<int>(model_->body(a).shapes.size()); ++i) {
+      for (int k = 0; k < static_cast<int>(model_->body(b).shapes.size()); ++k)
+        visit(ShapePair{a, b, i, k, 0});
+    }
+  }
+}
+
+}  // namespace rigor
