@@ -62,7 +62,7 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
   // The thinnest solids and surfaces of all bodies decide whether any pair of a step can be far.
   double turning = 0;
   for (std::size_t s = 0; s < own.shapes.size(); ++s) {
-    const ShapeFacts& facts = facts_of(own.shapes[s], hulls);
+    const ShapeFacts& facts = facts_of(own, s, hulls);
     facts_[at(ranges_.begin(body)) + s] = facts;
     turning = std::max(turning, facts.turning);
     if (facts.ball_inside < 0) {
@@ -82,10 +82,11 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
 }
 
 /// How thick the shape is, and how far from the body's centre a rotation moves points.
-const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
+const PassingGuard::ShapeFacts& PassingGuard::facts_of(const Body& body, std::size_t s,
                                                        std::optional<FloatHulls>& hulls) {
-  const auto [known, is_new] = known_.emplace(&shape, ShapeFacts{});
-  ShapeFacts& facts = known->second;
+  const BodyShape& shape = body.shapes[s];
+  const auto [known, is_new] = known_.try_emplace(&shape, KnownShape{.owner = body.shapes});
+  ShapeFacts& facts = known->second.facts;
   if (!is_new) return facts;
   // Equal facts of a shape are found once, since its thickness is the dear part.
   facts.thickness = thickness_of(shape.shape);
@@ -128,7 +129,8 @@ void PassingGuard::find_groups() {
 }
 
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
-  if (has_jointed_) paths_.begin(bodies.x.size(), substeps_);
+  // Without joints nothing is noted, and what was of bodies that joints have held is forgotten.
+  paths_.begin(has_jointed_ ? bodies.x.size() : 0, substeps_);
   planned_.resize(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];

@@ -96,7 +96,7 @@ class PassingGuard {
   };
   void find_groups();
   void add_body(int body, std::optional<FloatHulls>& hulls);
-  const ShapeFacts& facts_of(const BodyShape& shape, std::optional<FloatHulls>& hulls);
+  const ShapeFacts& facts_of(const Body& body, std::size_t shape, std::optional<FloatHulls>& hulls);
   const ShapeFacts& facts(int body, int shape) const { return facts_[at(ranges_.begin(body) + shape)]; }
   double spin_near(int body, const ShapePair& pair, const BulkBodies& bodies, double h) const;
   double part_of_driven(const ShapePair& pair, bool is_A, const BulkBodies& bodies, double h) const;
@@ -138,7 +138,12 @@ class PassingGuard {
   std::function<bool(int, int)> may_touch_;
   ShapeRanges ranges_;
   std::vector<ShapeFacts> facts_;  ///< Of each shape.
-  std::unordered_map<const BodyShape*, ShapeFacts> known_;
+  /// Facts of a shape, which stays where it is in memory as long as they are known.
+  struct KnownShape {
+    ShapeFacts facts = {};
+    BodyShapes owner;
+  };
+  std::unordered_map<const BodyShape*, KnownShape> known_;
   std::vector<double> turning_;  ///< Of each body: how far from its centre rotation moves points [m].
   std::vector<char> is_driven_;  ///< Whether each body is kinematic.
   int driven_ = 0;               ///< How many bodies are.

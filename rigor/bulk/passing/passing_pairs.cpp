@@ -170,7 +170,9 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
 void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margin, double most,
                                const BulkBodies& bodies) {
   // One of two bodies that meet unforeseen, and get as deep as matters, has left its path by half of that.
-  const double least = near_share * least_thickness_, least_off = 0.5 * (margin + least);
+  // The thinnest of all bodies, also of those that are gone, decides only who is asked.
+  const auto least_off = [&](double thickness) { return 0.5 * (margin + near_share * thickness); };
+  const double least = deep_share * least_thickness_;
   if (2 * most <= least) return;
   for (int i = 0; i < bodies.count(); ++i) {
     if (!bodies.is_dynamic(i) || static_cast<double>(reach_[at(i)]) + most <= least) continue;
@@ -178,10 +180,12 @@ void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margi
     Plan off;
     store_row(load_row(m.dp) - load_row(planned_[at(i)].dp), off.dp);
     store_row(load_row(m.dr) - load_row(planned_[at(i)].dr), off.dr);
-    if (static_cast<double>(reach(i, off.dp, off.dr)) <= least_off) continue;
+    const double off_path = static_cast<double>(reach(i, off.dp, off.dr));
+    if (off_path <= least_off(least_thickness_)) continue;
     sweep_boxes(bodies);
     for_near(i, [&](const ShapePair& pair) {
-      if (may_meet(pair.body_A, pair.body_B, bodies)) found_.push_back(pair);
+      if (off_path > least_off(thinner(pair)) && may_meet(pair.body_A, pair.body_B, bodies))
+        found_.push_back(pair);
     });
   }
   sort_found();

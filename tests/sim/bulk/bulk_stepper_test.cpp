@@ -104,11 +104,13 @@ TEST(BulkStepper, InterruptEndsItAtAStep) {
   State state = make_initial_state(*model);
   BulkStepper stepper(model, substep_method(), kStep, 1);
   int asked = 0;
-  stepper.set_interrupt([&] { return ++asked > 3; });
+  // Within a step it may be asked too; that step is not taken.
+  stepper.set_interrupt([&] { return ++asked > 60; });
   const AdvanceReport report = stepper.advance(state, 1);
   EXPECT_EQ(report.reason, StopReason::interrupted);
-  EXPECT_EQ(report.steps, 3);
-  EXPECT_NEAR(state.t, 3 * kStep, 1e-15);
+  EXPECT_GT(report.steps, 0);
+  EXPECT_LT(report.steps, 60);
+  EXPECT_NEAR(state.t, static_cast<double>(report.steps) * kStep, 1e-15);
 }
 
 TEST(BulkStepper, ReportNamesTheWorstOverlap) {
