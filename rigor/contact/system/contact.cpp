@@ -82,8 +82,8 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
 
       // The points at which the two shapes touch, with the coefficients of their materials.
       const PairCoefficients pair = model.coefficients(shape_a.material, shape_b.material);
-      const std::vector<ContactPoint> points =
-          contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance, reach);
+      const std::vector<ContactPoint> points = contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape,
+                                                           X_WB * shape_b.X_BS, tolerance, reach);
       for (const ContactPoint& point : points) {
         const Contact contact{a,
                               b,

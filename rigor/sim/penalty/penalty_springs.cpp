@@ -127,10 +127,14 @@ void PenaltyTouching::limit_springs(const std::vector<double>& energies,
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     const Contact& contact = system.contacts[i];
     if (contact.stop || contact.is_bounded_force() || contact.point.gap > 0) continue;
+    // Most springs go on with less than they held.
+    const double depth = pressed_depth(touching.springs[i], contact.point.gap);
+    const bool is_new = std::ranges::binary_search(unknown, i);
+    if (!is_new && stored_energy(touching.springs[i].spring, depth) <= energies[i]) continue;
     const double closed = most_closed(model_, before, contact, system.of(contact.body_A).pose(),
                                       system.of(contact.body_B).pose());
     limit_depth(contact, energies[i], closed, touching.springs[i]);
-    if (!std::ranges::binary_search(unknown, i)) continue;
+    if (!is_new) continue;
     if (energies[i] == 0) touching.share_touched[i] = std::min(1.0, -contact.point.gap / closed);
     note_missed(contact, -u[3 * static_cast<Eigen::Index>(i) + 2], closed, touching);
   }
