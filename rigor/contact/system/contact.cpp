@@ -65,11 +65,11 @@ bool is_same(const Contact& a, const Contact& b, double tolerance) {
 
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    double tolerance) {
-  return find_contacts(model, a, b, X_WA, X_WB, tolerance, tolerance);
+  return find_contacts(model, a, b, X_WA, X_WB, ContactReach{tolerance, tolerance});
 }
 
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
-                                   double tolerance, double reach) {
+                                   const ContactReach& within) {
   const Body& A = model.body(a);
   const Body& B = model.body(b);
   std::vector<Contact> contacts;
@@ -78,12 +78,12 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       // Shapes that are far apart have no contacts.
       const BodyShape& shape_a = A.shapes[i];
       const BodyShape& shape_b = B.shapes[k];
-      if (!is_near(shape_a, X_WA, shape_b, X_WB, reach)) continue;
+      if (!is_near(shape_a, X_WA, shape_b, X_WB, within.reach)) continue;
 
       // The points at which the two shapes touch, with the coefficients of their materials.
       const PairCoefficients pair = model.coefficients(shape_a.material, shape_b.material);
-      const std::vector<ContactPoint> points = contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape,
-                                                           X_WB * shape_b.X_BS, tolerance, reach);
+      const std::vector<ContactPoint> points =
+          contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, within);
       for (const ContactPoint& point : points) {
         const Contact contact{a,
                               b,
@@ -100,7 +100,7 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
         // What another pair of shapes has reported already is left out.
         const bool is_known = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
           return (other.shape_A != contact.shape_A || other.shape_B != contact.shape_B) &&
-                 is_same(other, contact, tolerance);
+                 is_same(other, contact, within.tolerance);
         });
         if (!is_known) contacts.push_back(contact);
       }

@@ -81,8 +81,8 @@ BodyKinetics prescribed_kinetics(const Body& body, double t);
 /// that two shapes of a body share (a common corner) is listed once.
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    double tolerance);
-/// The same up to the gap `reach` [m], at least the tolerance (contact_set.hpp).
+/// The same up to a gap beyond the tolerance.
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
-                                   double tolerance, double reach);
+                                   const ContactReach& within);
 
 }  // namespace rigor

@@ -115,11 +115,12 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
 
 std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b,
                                       const Pose& X_WB, double tolerance) {
-  return contact_set(shape_a, X_WA, shape_b, X_WB, tolerance, tolerance);
+  return contact_set(shape_a, X_WA, shape_b, X_WB, ContactReach{tolerance, tolerance});
 }
 
 std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b,
-                                      const Pose& X_WB, double tolerance, double reach) {
+                                      const Pose& X_WB, const ContactReach& within) {
+  const auto [tolerance, reach] = within;
   RIGOR_ASSERT(tolerance >= 0 && reach >= tolerance);
   // A mesh that bounds a convex solid is that solid, however its faces are cut.
   const Shape &a = convex_solid(shape_a), &b = convex_solid(shape_b);

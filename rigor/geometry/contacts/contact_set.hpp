@@ -53,11 +53,16 @@ struct ContactPoint {
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance);
 
-/// The same up to the gap `reach` [m], at least the tolerance: what may come to touch in a step that closes
-/// gaps by so much. What is one place, which of several directions is as good and how far a surface may rise
-/// beside a contact are still of the tolerance for two meshes; a face of a convex shape stands for what it
-/// lies over within the reach.
+/// Two lengths of a set [m].
+struct ContactReach {
+  double tolerance;  ///< What is as near as this touches.
+  double reach;      ///< What is as near as this is listed, too; at least the tolerance.
+};
+
+/// The same up to the gap `reach`: what may come to touch in a step that closes gaps by so much. What is one
+/// place, which of several directions is as good and how far a surface may rise beside a contact are still of
+/// the tolerance for two meshes; a face of a convex shape stands for what it lies over within the reach.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
-                                      double tolerance, double reach);
+                                      const ContactReach& within);
 
 }  // namespace rigor

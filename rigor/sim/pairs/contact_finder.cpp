@@ -47,7 +47,7 @@ std::vector<Contact> ContactFinder::find(const State& state, const std::vector<d
   std::vector<Contact> contacts;
   for (const auto& pair : near_pairs(state, grown)) {
     const double reach = tolerance + reaches[at(pair.first)] + reaches[at(pair.second)];
-    const std::vector<Contact> found = find(state, pair, tolerance, reach);
+    const std::vector<Contact> found = find(state, pair, {tolerance, reach});
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   // Pairs are in order, and so are the shapes of each.
@@ -55,9 +55,9 @@ std::vector<Contact> ContactFinder::find(const State& state, const std::vector<d
 }
 
 std::vector<Contact> ContactFinder::find(const State& state, const std::pair<int, int>& pair,
-                                         double tolerance, double reach) const {
+                                         const ContactReach& within) const {
   const auto& [a, b] = pair;
-  return find_contacts(model_, a, b, pose_of(state, a), pose_of(state, b), tolerance, reach);
+  return find_contacts(model_, a, b, pose_of(state, a), pose_of(state, b), within);
 }
 
 }  // namespace rigor

@@ -24,8 +24,8 @@ class ContactFinder {
   /// bodies, shapes and features. `reaches`, one per body: how far its points may move in the step [m].
   std::vector<Contact> find(const State& state, const std::vector<double>& reaches, double tolerance);
   /// All contacts of one pair with gaps up to the reach, at least the tolerance [m].
-  std::vector<Contact> find(const State& state, const std::pair<int, int>& pair, double tolerance,
-                            double reach) const;
+  std::vector<Contact> find(const State& state, const std::pair<int, int>& pair,
+                            const ContactReach& within) const;
 
  private:
   const Model& model_;

@@ -48,7 +48,7 @@ void StepContacts::begin_step(const State& state) {
 const std::vector<Contact>& StepContacts::find(const State& state, const Pair& pair, double margin) {
   const auto [place, is_new] = known_.try_emplace({pair, margin});
   const bool is_near = boxes_[rigor::at(pair.first)].grown(margin).overlaps(boxes_[rigor::at(pair.second)]);
-  if (is_new && is_near) place->second = finder_.find(state, pair, tolerance_, margin);
+  if (is_new && is_near) place->second = finder_.find(state, pair, {tolerance_, margin});
   return place->second;
 }
 
@@ -146,7 +146,7 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
                                std::max(tolerance_, 0.5 * std::min(thickness(a), thickness(b))));
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   bool is_new = false;
-  for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], tolerance_, near)) {
+  for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], {tolerance_, near})) {
     if (has(known, contact.key())) continue;
     // The same features at the beginning. A surface that the other body comes round to, rather than against,
     // says nothing, and no impact is early by more than the width of a body.
@@ -168,7 +168,7 @@ std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair
   std::vector<Contact> contacts;
   for (const Pair& pair : pairs) {
     if (!boxes[rigor::at(pair.first)].overlaps(boxes[rigor::at(pair.second)])) continue;
-    const std::vector<Contact> found = finder_.find(state, pair, tolerance_, tolerance_);
+    const std::vector<Contact> found = finder_.find(state, pair, {tolerance_, tolerance_});
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   return contacts;

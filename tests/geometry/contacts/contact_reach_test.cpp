@@ -62,7 +62,7 @@ TEST(ContactReach, OfMeshesWithHollowsKeepsTheDeepestContact) {
     const double deepest = least_gap(contact_set(a, Pose{}, b, X_WB, kTolerance));
     EXPECT_LT(deepest, 0);
     for (const double reach : kReaches)
-      EXPECT_NEAR(least_gap(contact_set(a, Pose{}, b, X_WB, kTolerance, reach)), deepest, 1e-9) << reach;
+      EXPECT_NEAR(least_gap(contact_set(a, Pose{}, b, X_WB, {kTolerance, reach})), deepest, 1e-9) << reach;
   }
   EXPECT_GE(count, 100);
 }
@@ -78,7 +78,7 @@ TEST(ContactReach, OfConvexShapesKeepsTheDistance) {
     const double distance = signed_distance(a, Pose{}, b, X_WB).distance;
     // The set merges what is closer than 1e-9 of the size, and knows a shorter way out at times.
     for (const double reach : kReaches) {
-      const double least = least_gap(contact_set(a, Pose{}, b, X_WB, kTolerance, reach));
+      const double least = least_gap(contact_set(a, Pose{}, b, X_WB, {kTolerance, reach}));
       EXPECT_LE(least, distance + 1e-6 * std::abs(distance) + 1e-9) << reach;
     }
   }
