@@ -21,6 +21,12 @@ inline Mesh as_mesh(const PolygonMesh& mesh) {
   return as_mesh(triangulated(mesh));
 }
 
+/// The solid with all lengths times `scale`.
+inline Mesh as_scaled_mesh(PolygonMesh mesh, double scale) {
+  for (Vec3& v : mesh.vertices) v *= scale;
+  return as_mesh(mesh);
+}
+
 /// Two unit cubes on a row and one on the first: volume 3.
 inline PolygonMesh l_solid() {
   return make_prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1);

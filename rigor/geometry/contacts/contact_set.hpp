@@ -59,9 +59,9 @@ struct ContactReach {
   double reach;      ///< What is as near as this is listed, too; at least the tolerance.
 };
 
-/// The same up to the gap `reach`: what may come to touch in a step that closes gaps by so much. What is one
-/// place, which of several directions is as good and how far a surface may rise beside a contact are still of
-/// the tolerance for two meshes; a face of a convex shape stands for what it lies over within the reach.
+/// The same up to the gap `reach`: what may come to touch in a step that closes gaps by so much. A face
+/// stands for what it lies over within the reach; but the deepest contact is the same, and edges that touch
+/// within the tolerance do so with their own normal.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       const ContactReach& within);
 

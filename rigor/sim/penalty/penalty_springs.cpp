@@ -146,8 +146,8 @@ void PenaltyTouching::note_missed(const Contact& contact, double approach, doubl
   const double depth = -contact.point.gap;
   if (depth <= deep_share * choice_.depth || closed <= 0.5 * deep_share * choice_.depth) return;
   constexpr double least = 0.1, most = 0.8;
-  const double share = approach > 0 ? 1 - depth / closed : least;
-  touching.share_before_missed = std::min(touching.share_before_missed, std::clamp(share, least, most));
+  const double share = std::clamp(approach > 0 ? 1 - depth / closed : least, least, most);
+  if (share < touching.missed.share) touching.missed = {share, closed};
 }
 
 void PenaltyTouching::limit_depth(const Contact& contact, double energy, double closed,

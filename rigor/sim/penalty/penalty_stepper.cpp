@@ -117,26 +117,33 @@ double PenaltyStepper::equal_part(double t, double t_end, double longest) {
 }
 
 void PenaltyStepper::take_step(double t_next, State& state) {
+  double closed = std::numeric_limits<double>::infinity();
+  while (const std::optional<double> met = try_step(t_next, closed, state)) t_next = *met;
+}
+
+std::optional<double> PenaltyStepper::try_step(double t_next, double& closed, State& state) {
   // First kick by all forces, and the free motion.
   const double h = t_next - state.t;
   const bool is_first_order = method_.integrator == IntegratorMethod::semi_implicit_euler;
   const ElasticEnergies before = elastic_energies(touching_);
   const AdvanceReport noted = report_;
-  apply_kick(state.t, is_first_order ? h : 0.5 * h, KickForm::explicit_kick);
   const PosesBefore poses{state.t, contacts_.dynamic_bodies(), phases_};
+  apply_kick(state.t, is_first_order ? h : 0.5 * h, KickForm::explicit_kick);
   drift(h, t_next);
-  if (note_not_finite()) return;
+  if (note_not_finite()) return std::nullopt;
   // Contacts at the new positions, and the second kick.
   write_state(t_next, state);
   touching_ = contacts_.find(state, horizon(state, t_next + target_step_), 0.5 * h, &poses);
-  if (const double share = touching_.share_before_missed; share < 1) {
-    // No contact was known to be near that the step went past: it ends there.
+  // Joints that are put back may move bodies as far in a shorter step.
+  constexpr double least_gain = 0.9;
+  const Touching::Missed missed = touching_.missed;
+  if (missed.share < 1 && missed.closed < least_gain * closed) {
+    closed = missed.closed;
     report_ = noted;
     phases_ = poses.phases;
     write_state(poses.t, state);
     touching_ = contacts_.find(state, horizon(state, t_next), 0, &poses);
-    take_step(poses.t + share * h, state);
-    return;
+    return poses.t + missed.share * h;
   }
   move_bristles(h, touching_);
   observe_contacts(t_next);
@@ -144,8 +151,9 @@ void PenaltyStepper::take_step(double t_next, State& state) {
   // Friction lets bristles slide; springs of impacts that have calmed down soften.
   slide_bristles(touching_);
   contacts_.soften(h, touching_);
-  if (note_not_finite()) return;
+  if (note_not_finite()) return std::nullopt;
   end_step(before, t_next, state);
+  return std::nullopt;
 }
 
 void PenaltyStepper::end_step(const ElasticEnergies& before, double t, State& state) {

@@ -4,6 +4,9 @@
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace rigor {
 
 /// `method.scheme: penalty` with local springs: contacts are springs and dampers (penalty_contact.hpp) that
@@ -44,6 +47,11 @@ class PenaltyStepper : public FixedStepStepper {
   /// End of the step that begins at t, at most t_end [s].
   virtual double end_of_step(double t, double t_end) const;
   virtual void take_step(double t_next, State& state);
+  /// Tries a step to t_next. Where it goes past a contact that none before it had shown, it is taken back,
+  /// and the time at which the contact was met is returned; but not if that closed as much as `closed` [m],
+  /// which the try before did and which the missed contact's becomes: a shorter step would not meet it
+  /// sooner.
+  std::optional<double> try_step(double t_next, double& closed, State& state);
   /// Forces of contacts in kicks [N].
   virtual VecX contact_forces() const;
 

@@ -25,9 +25,13 @@ struct Touching {
   double lost_energy = 0;
   /// How long bodies may move before a contact begins or ends [s]: the step in which it does is short.
   double free_time = 0;
-  /// Share of the motion since the poses before after which the first contact was met, if that is so deep by
-  /// now that the motion has to be repeated up to there; else 1.
-  double share_before_missed = 1;
+  /// A contact that the motion since the poses before went past: it is so deep by now that the motion should
+  /// be repeated up to where it was met.
+  struct Missed {
+    double share = 1;   ///< Of the motion, up to there; 1: there is none.
+    double closed = 0;  ///< By how much the motion can have closed its gap [m].
+  };
+  Missed missed;
 };
 
 /// Which contacts get springs.

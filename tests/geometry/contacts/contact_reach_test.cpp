@@ -41,14 +41,10 @@ Pose pressed(const Shape& a, const Shape& b, Draw& draw, double depth) {
   return {R, (height - depth) * away};
 }
 
-Shape scaled(PolygonMesh mesh, double scale) {
-  for (Vec3& v : mesh.vertices) v *= scale;
-  return test::as_mesh(mesh);
-}
-
 TEST(ContactReach, OfMeshesWithHollowsKeepsTheDeepestContact) {
-  const Shape shapes[] = {scaled(test::l_solid(), 0.2), scaled(test::torus_solid(0.35, 16, 10), 0.25),
-                          scaled(test::gear_solid(9), 0.3), scaled(test::cube_with_hole(), 0.2)};
+  const Shape shapes[] = {
+      test::as_scaled_mesh(test::l_solid(), 0.2), test::as_scaled_mesh(test::torus_solid(0.35, 16, 10), 0.25),
+      test::as_scaled_mesh(test::gear_solid(9), 0.3), test::as_scaled_mesh(test::cube_with_hole(), 0.2)};
   Draw draw(181);
   int count = 0;
   for (int trial = 0; trial < 120; ++trial) {
