@@ -10,6 +10,17 @@
 
 namespace rigor {
 
+namespace {
+
+bool is_of_first_order(const IslandStep& step) {
+  return step.is_implicit || step.error > 1;
+}
+
+/// How often what the closing of joints has pushed together is parted; each time a fifth is left, or less.
+constexpr int most_partings = 8;
+
+}  // namespace
+
 /// Whether contacts or joints hold the bodies of a group.
 bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
   return !lasting.contacts.empty() || !assembler_.joints_of(group.bodies).empty();
@@ -86,22 +97,45 @@ void EventDrivenStepper::begin_step(Island island) {
 }
 
 /// Closes the joints at the end of a step, and parts what that has pushed together: the displacement that
-/// does so opens joints to second order only, which once more closes. Of chains so straight that it does not,
-/// the bodies stay pushed.
+/// does so opens joints to second order only, which closing once more mends, and moves the points that touch
+/// along the surfaces, so that a part is left. Of chains so straight that joints do not close, the bodies
+/// stay pushed.
 void EventDrivenStepper::put_joints_back(const Island& island, IslandStep& step) {
   const auto close = [&](AdvanceReport& report) {
     const std::vector<BodyPhase> open = step.end;
     joints_.project_positions(t_, island.bodies, step.end, report);
-    if (step.is_implicit || step.error > 1) keep_angular_momenta(open, step.end);
+    if (is_of_first_order(step)) keep_angular_momenta(open, step.end);
   };
   const std::vector<BodyPhase> before = step.end;
   close(report_);
-  const std::vector<BodyPhase> closed = step.end;
-  if (!contacts_.part_pushed(island, t_, before, step.end)) return;
-  AdvanceReport of_parting;
-  close(of_parting);
-  const double off = assembler_.joint_residual(t_, island.bodies, step.end);
-  if (off > projected_joint_drift(model_->length_scale())) step.end = closed;
+  const double drift = projected_joint_drift(model_->length_scale());
+  for (int k = 0; k < most_partings; ++k) {
+    const std::vector<BodyPhase> closed = step.end;
+    if (!contacts_.part_pushed(island, t_, before, step.end)) return;
+    AdvanceReport of_parting;
+    close(of_parting);
+    if (assembler_.joint_residual(t_, island.bodies, step.end) > drift) {
+      step.end = closed;
+      return;
+    }
+  }
+}
+
+/// The step of an island from its begin to now, before its end. A step of first order that is shorter leads
+/// elsewhere: its bodies are where the path has them, for that is where others have met them.
+IslandStep EventDrivenStepper::cut_short(const RunningIsland& running) const {
+  const double h = t_ - running.island.begin;
+  IslandStep step = integrator_.repeated(running.island, h, running.step);
+  if (!is_of_first_order(step)) return step;
+  const std::vector<BodyPhase> elsewhere = step.end;
+  for (std::size_t i = 0; i < step.end.size(); ++i) {
+    const BodyPhase on_path = running.step.dense[i].at(h / running.step.h);
+    step.end[i].x = on_path.x;
+    step.end[i].q = on_path.q;
+  }
+  keep_angular_momenta(elsewhere, step.end);
+  pay_for_correction(*model_, environment_, running.island, elsewhere, step);
+  return step;
 }
 
 /// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
@@ -119,8 +153,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   if (is_at_end) {
     step = running.step;
   } else if (has_moved) {
-    const double h = t_ - running.island.begin;
-    step = integrator_.repeated(running.island, h, running.step);
+    step = cut_short(running);
   } else {
     step.end = running.island.start;
   }
@@ -133,7 +166,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
 
   // Steps of first order leave joints so far off that putting them back lifts the bodies by more than the
   // rounding of their energy.
-  if (has_moved && (step.is_implicit || step.error > 1))
+  if (has_moved && is_of_first_order(step))
     pay_for_correction(*model_, environment_, running.island, before_joints, step);
 
   // The bodies join the cluster.

@@ -89,6 +89,7 @@ class EventDrivenStepper : public Stepper {
   void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
   void begin_new_window(int body);
   void add_body(int body, Cluster& cluster);
+  IslandStep cut_short(const RunningIsland& running) const;
   void put_joints_back(const Island& island, IslandStep& step);
   void finish_island(int number, Cluster& cluster);
   void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);

@@ -15,6 +15,9 @@ namespace rigor {
 
 namespace {
 
+/// How often the part between two instants is halved for points that may have met and parted there.
+constexpr int most_halvings = 20;
+
 /// The contact of the same features among the others; where an edge crosses the valley between two faces of a
 /// mesh there is one for each face, and the lower counts.
 const Contact* find_same(const Contact& contact, std::span<const Contact> others) {
@@ -114,42 +117,136 @@ std::vector<Contact> OverlapSearch::contacts_at(const Island& island, const Isla
   return contacts;
 }
 
-/// Least gap above the lowest that each contact may have [m]: at active contacts half the tolerance below
-/// zero, for errors of the step. Further points land a little below zero; where one is there as the step
-/// begins, it has come back when it is as low again.
-double OverlapSearch::margin(const Island& island, std::span<const Contact> now,
-                             std::span<const Contact> at_start) const {
+/// How low the gap of a contact may be [m]: at active contacts half the tolerance below zero, for errors of
+/// the step. Further points land a little below zero; where one is there as the step begins, it has come back
+/// when it is as low again.
+double OverlapSearch::lowest_gap(const Contact& contact, const Island& island,
+                                 std::span<const Contact> at_start) const {
   const double landing = -0.01 * contact_tolerance_, rounding = 1e-5 * contact_tolerance_;
-  double margin = kInfinity;
-  for (const Contact& contact : now) {
-    double lowest = find_same(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
-    if (const Contact* before = find_same(contact, at_start))
-      lowest = std::min(lowest, before->point.gap - rounding);
-    margin = std::min(margin, contact.point.gap - lowest);
+  const double lowest = find_same(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
+  const Contact* before = find_same(contact, at_start);
+  return before ? std::min(lowest, before->point.gap - rounding) : lowest;
+}
+
+/// The pairs in contact at a place of the step.
+struct OverlapSearch::Sample {
+  double theta;                   ///< Part of the step.
+  std::vector<Contact> contacts;  ///< Closer than the tolerance.
+  std::vector<double> clearance;  ///< Of each contact: its gap above the lowest it may have [m].
+  std::vector<double> rate;       ///< Of each clearance, per part of the step [m].
+  double margin = kInfinity;      ///< The least clearance [m].
+};
+
+namespace {
+
+/// The least value that a convex function may have between two places that are `apart`, from its value and
+/// rate at either: where the tangents meet.
+double lowest_of_tangents(double first, double first_rate, double last, double last_rate, double apart) {
+  if (!(first_rate < 0 && last_rate > 0)) return std::min(first, last);
+  const double until = (last - first - last_rate * apart) / (first_rate - last_rate);
+  return first + first_rate * std::clamp(until, 0.0, apart);
+}
+
+}  // namespace
+
+/// Looks at the pairs of an island at places of its step.
+class OverlapSearch::Looks {
+ public:
+  Looks(const OverlapSearch& search, const Island& island, const IslandStep& step)
+      : search_(search), island_(island), step_(step), at_start_(search.contacts_at(island, step, 0)) {}
+
+  double margin(double theta) const { return gaps_at(theta).margin; }
+  Sample sample(double theta) const;
+
+ private:
+  Sample gaps_at(double theta) const;
+
+  const OverlapSearch& search_;
+  const Island& island_;
+  const IslandStep& step_;
+  std::vector<Contact> at_start_;
+};
+
+OverlapSearch::Sample OverlapSearch::Looks::gaps_at(double theta) const {
+  Sample sample{theta, search_.contacts_at(island_, step_, theta), {}, {}};
+  for (const Contact& contact : sample.contacts) {
+    sample.clearance.push_back(contact.point.gap - search_.lowest_gap(contact, island_, at_start_));
+    sample.margin = std::min(sample.margin, sample.clearance.back());
   }
-  return margin;
+  return sample;
+}
+
+OverlapSearch::Sample OverlapSearch::Looks::sample(double theta) const {
+  Sample sample = gaps_at(theta);
+  // The rate of a distance is that of the material points that are closest now, by differences of the poses.
+  constexpr double difference = 1e-6;
+  const double other = theta + difference <= 1 ? theta + difference : theta - difference;
+  const auto velocity = [&](int body, const Vec3& p_W) -> Vec3 {
+    const Vec3 p_B = search_.pose_at(island_, step_, body, theta).inverse() * p_W;
+    return (search_.pose_at(island_, step_, body, other) * p_B - p_W) / (other - theta);
+  };
+  for (const Contact& contact : sample.contacts) {
+    const ContactPoint& point = contact.point;
+    sample.rate.push_back(
+        point.n_W.dot(velocity(contact.body_B, point.p_WB) - velocity(contact.body_A, point.p_WA)));
+  }
+  return sample;
+}
+
+/// The least clearance that any contact may have between two places, if gaps are convex there. A contact that
+/// is listed at one of them alone may fall all the way to the other, or have risen all the way from it.
+double OverlapSearch::lowest_between(const Sample& from, const Sample& to) {
+  const double apart = to.theta - from.theta;
+  double lowest = std::min(from.margin, to.margin);
+  for (std::size_t i = 0; i < from.contacts.size(); ++i) {
+    const Contact* const same = find_same(from.contacts[i], to.contacts);
+    if (same == nullptr) {
+      lowest = std::min(lowest, from.clearance[i] + std::min(0.0, from.rate[i]) * apart);
+    } else {
+      const std::size_t k = static_cast<std::size_t>(same - to.contacts.data());
+      lowest = std::min(
+          lowest, lowest_of_tangents(from.clearance[i], from.rate[i], to.clearance[k], to.rate[k], apart));
+    }
+  }
+  for (std::size_t k = 0; k < to.contacts.size(); ++k) {
+    if (find_same(to.contacts[k], from.contacts) == nullptr)
+      lowest = std::min(lowest, to.clearance[k] - std::max(0.0, to.rate[k]) * apart);
+  }
+  return lowest;
+}
+
+/// The first two places, one after the other, between which the margin falls below `level`, of all between
+/// `from` and `to`; nothing if it stays above as far as gaps and rates tell.
+std::optional<std::pair<double, double>> OverlapSearch::first_fall(const Looks& looks, const Sample& from,
+                                                                   const Sample& to, double level,
+                                                                   int halvings) const {
+  if (to.margin < level) return std::pair{from.theta, to.theta};
+  // What meets and parts between two places may go a part of the tolerance deep.
+  const double deepest = level - 0.25 * contact_tolerance_;
+  if (halvings == 0 || lowest_between(from, to) >= deepest) return std::nullopt;
+  const Sample middle = looks.sample(0.5 * (from.theta + to.theta));
+  if (const auto fall = first_fall(looks, from, middle, level, halvings - 1)) return fall;
+  return first_fall(looks, middle, to, level, halvings - 1);
 }
 
 std::optional<double> OverlapSearch::find(const Island& island, const IslandStep& step, double end) const {
   const std::vector<Pair> pairs = pairs_of(island);
   if (pairs.empty()) return std::nullopt;
-  const std::vector<Contact> at_start = contacts_at(island, step, 0);
-  const auto overlap = [&](double theta) {
-    return margin(island, contacts_at(island, step, theta), at_start);
-  };
+  const Looks looks(*this, island, step);
 
   // Instant by instant, at least the middle and the end.
   Instants instants(model_, island, step, contact_tolerance_, thickness_);
-  for (double theta = 0; theta < end;) {
-    const double probe = instants.next(pairs, theta, theta < 0.5 * end ? 0.5 * end : end);
+  for (Sample from = looks.sample(0); from.theta < end;) {
+    const double theta = from.theta;
+    Sample probe = looks.sample(instants.next(pairs, theta, theta < 0.5 * end ? 0.5 * end : end));
     // What is a little too low already may stay so, but not go deeper. A motion that overflows has margins
     // that are no numbers.
-    const double before = overlap(theta);
-    const double level = before < 0 ? before - 0.01 * contact_tolerance_ : 0;
-    const auto above_level = [&](double part) { return overlap(part) - level; };
-    if (above_level(probe) < 0 && before >= level)
-      return find_root_bisection(above_level, theta, probe, time_tolerance_ / step.h).hi;
-    theta = probe;
+    const double level = from.margin < 0 ? from.margin - 0.01 * contact_tolerance_ : 0;
+    if (const auto fall = first_fall(looks, from, probe, level, most_halvings)) {
+      const auto above_level = [&](double part) { return looks.margin(part) - level; };
+      return find_root_bisection(above_level, fall->first, fall->second, time_tolerance_ / step.h).hi;
+    }
+    from = std::move(probe);
   }
   return std::nullopt;
 }
