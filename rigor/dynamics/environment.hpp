@@ -85,6 +85,10 @@ class Environment {
   /// Power [W] that forces without a potential supply to the body: constant torques, body-fixed forces. Drag
   /// and dampers only dissipate and are not counted.
   double supplied_power(int body, const BodyView& view) const;
+  /// Power [W] that what moves the prescribed bodies supplies through the springs, those of joints among
+  /// them, that tie a dynamic body to them; view as above.
+  template <class View>
+  double power_of_anchors(int body, const View& view) const;
   /// Potential energy of gravity and steady forces of a body at x [J].
   double potential(int body, const Vec3& x) const;
   /// Energy stored in all springs, those of joints among them [J]; view as above, for all bodies.
@@ -142,6 +146,10 @@ class Environment {
     if (body == world_body) return {};
     const BodyView of_body = view(body);
     return {of_body.x, of_body.R, of_body.v, of_body.w};
+  }
+  template <class View>
+  static bool is_anchor(int body, const View& view) {
+    return body != world_body && !view(body).is_dynamic;
   }
   static double stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
   static Vec3 force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
@@ -203,5 +211,25 @@ class Environment {
   std::vector<int> records_;  ///< For each body its index in acting_; 0 if only gravity acts.
   std::vector<Acting> acting_;
 };
+
+template <class View>
+double Environment::power_of_anchors(int body, const View& view) const {
+  // What holds an anchor opposes the force of the spring there: its power is that of the opposite force.
+  double power = 0;
+  for (const int index : acts_on(body).springs) {
+    const Spring& spring = springs_[at(index)];
+    const SpringEnd A = end_of(spring, true, view), B = end_of(spring, false, view);
+    if (is_anchor(spring.body_A, view)) power += force_on_B(spring, A, B).dot(A.v_W);
+    if (is_anchor(spring.body_B, view)) power -= force_on_B(spring, A, B).dot(B.v_W);
+  }
+  for (const int index : acts_on(body).joint_springs) {
+    const Joint& joint = model_->joint(index);
+    const BodyMotion A = motion_of(joint.body_A, view), B = motion_of(joint.body_B, view);
+    const JointForces forces = spring_forces(joint, A, B);
+    if (is_anchor(joint.body_A, view)) power -= forces.on_A.f_W.dot(A.v) + forces.on_A.tau_W.dot(A.w);
+    if (is_anchor(joint.body_B, view)) power -= forces.on_B.f_W.dot(B.v) + forces.on_B.tau_W.dot(B.w);
+  }
+  return power;
+}
 
 }  // namespace rigor

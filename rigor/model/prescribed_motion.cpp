@@ -1,3 +1,4 @@
+#include "rigor/core/time_rounding.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
 
@@ -28,10 +29,12 @@ PrescribedMotion prescribed_motion(const Body& body, double t) {
     return {body.p_WB + t * body.v_WB, rotation_exp(t * body.w_WB) * body.q_WB, body.v_WB, body.w_WB};
   }
   const std::vector<PathPoint>& path = body.path;
-  if (t < path.front().time) return at_rest(path.front());
-  if (t >= path.back().time) return at_rest(path.back());
+  // Where a leg ends within the rounding of t the next one has begun.
+  const double now = t + time_rounding_at(t);
+  if (now < path.front().time) return at_rest(path.front());
+  if (now >= path.back().time) return at_rest(path.back());
   const auto is_later = [](double time, const PathPoint& point) { return time < point.time; };
-  const auto next = std::upper_bound(path.begin(), path.end(), t, is_later);
+  const auto next = std::upper_bound(path.begin(), path.end(), now, is_later);
   return along_leg(*(next - 1), *next, t);
 }
 

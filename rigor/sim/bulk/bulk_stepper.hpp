@@ -44,6 +44,8 @@ class BulkStepper : public FixedStepStepper {
 
  private:
   double longest_step() const override { return longest_step_; }
+  /// Its steps are of one length; what a path does within one is its mean velocity.
+  bool ends_at_legs() const override { return false; }
   void apply_loads();
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;

@@ -73,6 +73,11 @@ void EventDrivenStepper::begin_step(Island island) {
   }
   for (const int body : assembler_.jointed_prescribed(island.bodies))
     h = std::min(h, trajectories_.motion(body).end() - t_);
+  for (const int body : island.bodies) {
+    for (const int anchor : environment_.spring_anchors(body)) {
+      if (anchor != world_body) h = std::min(h, trajectories_.motion(anchor).end() - t_);
+    }
+  }
 
   // The step; it may end early where a mode changes.
   integrator_.choose_joint_rows(island);

@@ -127,9 +127,18 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
                         std::back_inserter(under_way));
     trajectories_.predict_among(under_way, queue_);
   }
+  // Where a leg of a path begins now, what lies on its body or hangs from it notices.
+  std::vector<int> turned;
+  for (int body = 0; body < model_->body_count(); ++body) {
+    if (!begins_leg(body)) continue;
+    if (is_continued) renew_prescribed(body);
+    const std::vector<int> moved = moved_by(body);
+    seeds.insert(seeds.end(), moved.begin(), moved.end());
+    turned.push_back(body);
+  }
   next_ = {t_, QueuedEvent::Kind::window_end, -1, -1, 0, 0, 0};
   has_given_state_ = !is_continued && !state.events.is_left;
-  if (!seeds.empty()) handle_event(seeds, {});
+  if (!seeds.empty() || !turned.empty()) handle_event(seeds, turned);
   has_given_state_ = false;
 }
 
@@ -140,6 +149,25 @@ void EventDrivenStepper::renew_prescribed(int body) {
     if (point.time <= t_) begin = std::max(begin, point.time);
   }
   trajectories_.set_motion(body, Motion::prescribed(model_->body(body), begin), begin);
+}
+
+/// Whether a prescribed body moves along another leg of its path from now on.
+bool EventDrivenStepper::begins_leg(int body) const {
+  const std::vector<PathPoint>& path = model_->body(body).path;
+  return t_ > 0 && std::any_of(path.begin(), path.end(), [this](const PathPoint& p) { return p.time == t_; });
+}
+
+/// The bodies that a prescribed body acts on now: what touches it, and what joints and springs tie to it.
+std::vector<int> EventDrivenStepper::moved_by(int body) const {
+  std::vector<int> moved = trajectories_.neighbours(body, t_, method_.contact_tolerance);
+  const auto holds = [body](const std::vector<int>& anchors) {
+    return std::binary_search(anchors.begin(), anchors.end(), body);
+  };
+  for (int other = 0; other < model_->body_count(); ++other) {
+    if (holds(environment_.joint_anchors(other)) || holds(environment_.spring_anchors(other)))
+      moved.push_back(other);
+  }
+  return moved;
 }
 
 bool EventDrivenStepper::is_stale(const QueuedEvent& event) const {
@@ -235,11 +263,11 @@ double EventDrivenStepper::least_effort_of(const Cluster& cluster) const {
 }
 
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
-/// the body notices.
+/// the body, or hangs from it, notices.
 void EventDrivenStepper::begin_new_window(int body) {
   if (trajectories_.motion(body).end() > t_) return trajectories_.predict({body}, t_, queue_);
   renew_prescribed(body);
-  handle_event(trajectories_.neighbours(body, t_, method_.contact_tolerance), {body});
+  handle_event(moved_by(body), {body});
 }
 
 /// The bodies of the event and all that they touch or are tied to, at the present time.

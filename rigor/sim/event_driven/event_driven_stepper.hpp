@@ -97,6 +97,8 @@ class EventDrivenStepper : public Stepper {
   void move_together(const Cluster& part, const LastingContacts& lasting);
   void begin_step(Island island);
   void renew_prescribed(int body);
+  bool begins_leg(int body) const;
+  std::vector<int> moved_by(int body) const;
   bool time_stands_still(const std::vector<int>& seeds);
   void note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster);
   void note_penetration(const std::vector<Contact>& contacts);

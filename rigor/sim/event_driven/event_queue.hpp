@@ -10,7 +10,9 @@ namespace rigor {
 /// An event that is due at a time. Stamps are the versions of the motions it was predicted from: an event
 /// whose bodies have moved on since is stale.
 struct QueuedEvent {
-  enum class Kind : std::uint8_t { step_end, contact, window_end, search };
+  /// In the order of events at one instant: where the leg of a path ends, its body moves along the next one
+  /// before the steps that reach until there go on.
+  enum class Kind : std::uint8_t { window_end, step_end, contact, search };
 
   double time;
   Kind kind;

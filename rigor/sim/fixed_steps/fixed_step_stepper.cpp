@@ -1,6 +1,8 @@
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/time_rounding.hpp"
 
 #include <algorithm>
 
@@ -11,6 +13,20 @@ namespace rigor {
 FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double target_step)
     : model_(std::move(model)), target_step_(target_step), witness_(model_) {
   RIGOR_ASSERT(target_step > 0);
+  for (const Body& body : model_->bodies()) {
+    for (const PathPoint& point : body.path) leg_ends_.push_back(point.time);
+  }
+  leg_ends_ = sorted_unique(std::move(leg_ends_));
+}
+
+/// Where the part of a step that begins at t ends: a body on a path changes its velocity where a leg ends,
+/// and what it carries or pulls must not look past that. Legs that end within the rounding of either end end
+/// there.
+double FixedStepStepper::end_of_part(double t, double end) const {
+  if (!ends_at_legs()) return end;
+  const double least = 2 * time_rounding_at(end);
+  const auto leg = std::upper_bound(leg_ends_.begin(), leg_ends_.end(), t + least);
+  return leg != leg_ends_.end() && *leg < end - least ? *leg : end;
 }
 
 /// Takes the steps from the State to t_end as far as t_look.
@@ -35,7 +51,7 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
       if (is_interrupted()) {
         report_.reason = StopReason::interrupted;
       } else {
-        t_ = step_towards(end, t_, state);
+        t_ = step_towards(end_of_part(t_, end), t_, state);
         show_step(t_, state);
         witness_.watch(state, report_);
       }

@@ -6,6 +6,7 @@
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace rigor {
 
@@ -22,6 +23,8 @@ class FixedStepStepper : public Stepper {
 
   /// No fixed step is longer [s].
   virtual double longest_step() const { return target_step_; }
+  /// Whether fixed steps are divided where the legs of paths end.
+  virtual bool ends_at_legs() const { return true; }
   /// Takes over the State before the first step, which ends at this time [s].
   virtual void begin_span(double first_end, State& state) = 0;
   /// Moves from t towards the end of a fixed step. Returns the time reached [s]: a scheme may divide the
@@ -51,8 +54,10 @@ class FixedStepStepper : public Stepper {
 
  private:
   AdvanceReport pass(State& state, double t_end, double t_look);
+  double end_of_part(double t, double end) const;
 
   PassageWitness witness_;
+  std::vector<double> leg_ends_;  ///< Of the paths of all bodies, ascending [s].
   double t_ = 0;
   double whole_step_ = 0;
 };

@@ -281,7 +281,7 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
-  // Nothing moves: neither the bodies themselves nor what they touch.
+  // Nothing moves: neither the bodies themselves nor what they touch, nor what springs tie them to.
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
     const Body& own = model_.body(cluster.bodies[i]);
     const BodyKinetics body = dynamic_kinetics(own, cluster.phases[i]);
@@ -290,6 +290,14 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
+  }
+
+  for (const int body : cluster.bodies) {
+    for (const int anchor : assembler_.environment().spring_anchors(body)) {
+      if (anchor == world_body) continue;
+      const BodyKinetics held = prescribed_kinetics(model_.body(anchor), cluster.t);
+      if (!held.v.isZero(0) || !held.w.isZero(0)) return false;
+    }
   }
 
   // All forces together, with those of contacts and joints.

@@ -159,14 +159,36 @@ ContactSystemAssembler::Bodies ContactSystemAssembler::bodies_at(double t, const
   return result;
 }
 
+Environment::BodyView ContactSystemAssembler::view_in(const ContactSystem& system, double t, int body) const {
+  // Springs may end at bodies that are not in the system: prescribed ones.
+  const std::size_t place = place_of(system.bodies, body);
+  if (place < system.bodies.size() && system.bodies[place] == body) return view_of(system.kinetics[place]);
+  return view_of(prescribed_kinetics(model_.body(body), t));
+}
+
+double ContactSystemAssembler::supplied_power(const ContactSystem& system, double t) const {
+  const auto view = [&](int body) { return view_in(system, t, body); };
+  double power = 0;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (system.kinetics[b].inverse_mass == 0) continue;
+    power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b])) +
+             environment_.power_of_anchors(system.bodies[b], view);
+  }
+  return power;
+}
+
+double ContactSystemAssembler::supplied_power(double t, const std::vector<int>& bodies,
+                                              std::span<const BodyPhase> phases) const {
+  ContactSystem system;
+  system.bodies = bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    system.kinetics.push_back(dynamic_kinetics(model_.body(bodies[i]), phases[i]));
+  return supplied_power(system, t);
+}
+
 std::vector<Wrench> ContactSystemAssembler::environment_wrenches(const ContactSystem& system,
                                                                  double t) const {
-  // Springs may end at bodies that are not in the system: prescribed ones.
-  const auto view = [&](int body) {
-    const std::size_t place = place_of(system.bodies, body);
-    if (place < system.bodies.size() && system.bodies[place] == body) return view_of(system.kinetics[place]);
-    return view_of(prescribed_kinetics(model_.body(body), t));
-  };
+  const auto view = [&](int body) { return view_in(system, t, body); };
   std::vector<Wrench> wrenches(system.bodies.size());
   environment_.apply_env_forces(system.bodies, view, wrenches);
 

@@ -55,6 +55,11 @@ class ContactSystemAssembler {
 
   /// Forces and torques of the environment on each body of the system (zero for prescribed ones) [N, N m].
   std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
+  /// Power [W] that the environment supplies to the bodies of a system: of forces without a potential, and of
+  /// what moves the prescribed bodies that springs tie them to.
+  double supplied_power(const ContactSystem& system, double t) const;
+  /// The same for dynamic bodies (ascending, with one phase each).
+  double supplied_power(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
 
   /// Joints that hold any of these bodies, ascending.
   std::vector<int> joints_of(const std::vector<int>& bodies) const;
@@ -64,6 +69,7 @@ class ContactSystemAssembler {
   double joint_residual(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
 
  private:
+  Environment::BodyView view_in(const ContactSystem& system, double t, int body) const;
   /// Bodies with the joints that hold any of them.
   struct Group {
     std::vector<int> bodies;                 ///< Ascending.

@@ -48,6 +48,16 @@ std::vector<Vec6> mean_of(const ContactSystem& begin, const ContactSystem& end) 
   return result;
 }
 
+/// The dynamic bodies of a system where they are, with these velocities.
+ContactSystem moving(ContactSystem system, const std::vector<Vec6>& velocities) {
+  for (std::size_t b = 0; b < velocities.size(); ++b) {
+    if (system.kinetics[b].inverse_mass == 0) continue;
+    system.kinetics[b].v = velocities[b].head<3>();
+    system.kinetics[b].w = velocities[b].tail<3>();
+  }
+  return system;
+}
+
 /// Gives the bodies the velocities that their joints allow; the impulses that this takes.
 JointReactions give_joint_impulses(ContactSystem& system) {
   JointReactions reactions;
@@ -190,7 +200,9 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   // The velocities at the end, and what comes from outside.
   ContactSystem after = system;
   apply_impulses(lambda, after);
-  result.work += work_of_contacts(system, lambda, mean_of(at_start, after));
+  const std::vector<Vec6> mean = mean_of(at_start, after);
+  result.work += work_of_contacts(system, lambda, mean);
+  result.work.supplied += h * assembler_.supplied_power(moving(at_start, mean), island.begin);
   const Wrench external = external_wrench(system, lambda, joint_lambda);
   result.impulse += external.f_W;
   result.angular_impulse += external.tau_W;

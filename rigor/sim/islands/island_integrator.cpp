@@ -4,6 +4,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/time_rounding.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/step_control.hpp"
@@ -85,13 +86,13 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
   // The forces of the environment.
   std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
   Load load;
+  load.power.supplied += assembler_.supplied_power(system, t);
   // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
   // external.
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (system.kinetics[b].inverse_mass == 0) continue;
     load.external.f_W += wrenches[b].f_W;
     load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
-    load.power.supplied += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
 
   // The contacts: moments of rolling and torsional friction, then the forces of the active modes.
@@ -174,9 +175,11 @@ IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double
   std::vector<BodyPhase> start = island.start;
   start.resize(count + 2);
 
-  // The contact forces are solved for at every stage.
+  // The contact forces are solved for at every stage; one at the end of the step is still on the legs of
+  // paths that end there.
+  const double last = just_before(island.begin + h);
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
-    const Load now = load(island, t, phases.first(count));
+    const Load now = load(island, std::min(t, last), phases.first(count));
     std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
     wrenches[count] = now.external;
     wrenches[count + 1] = {now.power.supplied * Vec3::UnitX(), Vec3(now.power.motors, now.power.friction, 0)};

@@ -173,13 +173,13 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
   // Forces of the environment, with what they give from outside.
   const ContactSystem& system = touching_.system;
   Kick kick;
+  kick.work.supplied += h * kicks_assembler_.supplied_power(system, t);
   std::vector<Wrench> wrenches = kicks_assembler_.environment_wrenches(system, t);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const BodyKinetics& body = system.kinetics[b];
     if (body.inverse_mass == 0) continue;
     kick.external.f_W += h * wrenches[b].f_W;
     kick.external.tau_W += h * (wrenches[b].tau_W + body.x.cross(wrenches[b].f_W));
-    kick.work.supplied += h * kicks_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
   }
   // Forces and moments of the contacts.
   const VecX forces = contact_forces();

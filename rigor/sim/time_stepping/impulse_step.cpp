@@ -3,6 +3,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/time_rounding.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
@@ -319,6 +320,29 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
   }
 }
 
+/// How much more the environment supplies to the bodies than it would without the impulses [J]: the work of
+/// the free motion is that along its own path. Impulses that act evenly change velocities in proportion to
+/// the time since the step began and places to its square; Simpson's rule over that.
+double ImpulseStep::supply_of_push(const ContactSystemAssembler& assembler, const StepSpan& span,
+                                   const std::vector<int>& bodies, const FreeEnd& free, const FreeEnd& end) {
+  if (std::none_of(bodies.begin(), bodies.end(),
+                   [&](int body) { return assembler.environment().is_forced(body); }))
+    return 0;
+  std::vector<BodyPhase> half = free.phases;
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    const BodyPhase &from = free.phases[i], &to = end.phases[i];
+    half[i].x += 0.25 * (to.x - from.x);
+    half[i].q = (rotation_exp(0.25 * rotation_log(to.q * from.q.conjugate())) * from.q).normalized();
+    half[i].P += 0.5 * (to.P - from.P);
+    half[i].L += 0.5 * (to.L - from.L);
+  }
+  const double t = just_before(span.t + span.h);
+  const auto power = [&](const std::vector<BodyPhase>& phases) {
+    return assembler.supplied_power(t, bodies, phases);
+  };
+  return span.h / 6 * (4 * power(half) + power(end.phases) - 5 * power(free.phases));
+}
+
 std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& part, FreeMotionMemory& memory,
                                             AdvanceReport& report) const {
   // The smooth motion without contacts.
@@ -340,7 +364,10 @@ std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& par
     forces = forces_of(system, solution, h);
     note_force_uncertainty(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
+    const FreeEnd free = end;
     push(span, part, system, enter_impulses(part, system, solution, springs, end), end);
+    const ContactSystemAssembler& assembler = has_springs ? assembler_without_springs_ : assembler_;
+    end.work.supplied += supply_of_push(assembler, span, part.bodies, free, end);
   }
 
   // The end of the step, and its ledger.

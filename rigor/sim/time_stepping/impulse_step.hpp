@@ -54,6 +54,8 @@ class ImpulseStep {
   std::vector<Wrench> enter_impulses(const Cluster& part, const ContactSystem& system,
                                      const StepImpulses& solution, const SpringRows& springs,
                                      FreeEnd& end) const;
+  static double supply_of_push(const ContactSystemAssembler& assembler, const StepSpan& span,
+                               const std::vector<int>& bodies, const FreeEnd& free, const FreeEnd& end);
   void push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
             const std::vector<Wrench>& impulses, FreeEnd& end) const;
   void note(const StepImpulses& solution, AdvanceReport& report) const;

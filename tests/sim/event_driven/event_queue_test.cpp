@@ -49,17 +49,17 @@ TEST(EventQueue, GivesEventsInTheirTotalOrderHoweverItWasFilled) {
   }
 }
 
-TEST(EventQueue, OfOneTimeStepsEndFirstThenContactsThenWindows) {
+TEST(EventQueue, OfOneTimeWindowsEndFirstThenStepsThenContacts) {
   EventQueue queue;
   queue.push({1, Kind::window_end, 0, -1, 0, 0, 0});
   queue.push({1, Kind::contact, 2, 3, 0, 0, 0});
   queue.push({1, Kind::contact, 1, 3, 0, 0, 0});
   queue.push({1, Kind::step_end, 9, -1, 0, 0, 0});
   const std::vector<QueuedEvent> events = drained(queue);
-  EXPECT_EQ(events[0].kind, Kind::step_end);
-  EXPECT_EQ(events[1].a, 1);
-  EXPECT_EQ(events[2].a, 2);
-  EXPECT_EQ(events[3].kind, Kind::window_end);
+  EXPECT_EQ(events[0].kind, Kind::window_end);
+  EXPECT_EQ(events[1].kind, Kind::step_end);
+  EXPECT_EQ(events[2].a, 1);
+  EXPECT_EQ(events[3].a, 2);
 }
 
 TEST(EventQueue, DroppingKeepsTheOrderOfTheOthers) {
