@@ -21,6 +21,8 @@ struct ProximalPointOptions {
   /// many contacts share loads, but what it finds of several solutions need not be as symmetric as the
   /// problem.
   bool is_bold = false;
+  /// Whether `start` is near the solution: the points then begin with a large ρ.
+  bool is_near = false;
   /// Forces to begin with (3n); none: 0.
   VecX start = VecX();
 };
