@@ -24,9 +24,7 @@ constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 // With forces as unknowns a point begins where the last one ended, and the first may be as near as this.
 constexpr double kBoldRho = 1e3;
-// Of so many contacts the first guess comes from their interior: a few of them are guessed sooner by points.
 // Points that begin near the solution may be as near as this.
-constexpr std::size_t kFewestInside = 48;
 constexpr double kRhoNear = 1e4;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their

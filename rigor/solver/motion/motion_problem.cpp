@@ -9,6 +9,7 @@
 #include "rigor/solver/coulomb/least_norm_slips.hpp"
 #include "rigor/solver/coulomb/proximal_points.hpp"
 #include "rigor/solver/motion/least_constraint.hpp"
+#include "rigor/solver/motion/swept_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -270,12 +271,16 @@ class MotionSolver {
   std::optional<CoulombSolution> solve_to_resolution() const {
     // Contact space may still solve what is left, but of many contacts it takes minutes.
     constexpr std::size_t kMostInContactSpace = 60;
+    // What few contacts do shows in a few sweeps.
+    constexpr int kSweeps = 20;
+    const bool is_swept =
+        options_.is_bold && start_.size() == 0 && !problem_.rows.joints && laws_.mu.size() < kFewestInside;
     return solve_by_proximal_points(laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
                                     {.enough = options_.enough,
                                      .resolution = *options_.resolution,
                                      .gives_best = laws_.mu.size() > kMostInContactSpace,
                                      .is_bold = options_.is_bold,
-                                     .start = start_});
+                                     .start = is_swept ? swept_forces(problem_, kSweeps) : start_});
   }
 
   CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {

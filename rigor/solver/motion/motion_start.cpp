@@ -43,10 +43,9 @@ std::optional<CoulombSolution> solve_from_forces(const MotionProblem& problem, c
   // nothing.
   constexpr double kNear = 1e-3;
   // That fewer contacts hold is soon found anew, to rounding; so is what a light body does under a heavy one.
-  constexpr std::size_t kFewest = 48;
   RIGOR_ASSERT(!options.least_norm && forces.size() == problem.laws.b.size());
 
-  if (problem.laws.mu.size() < kFewest || !are_masses_alike(problem.rows)) return std::nullopt;
+  if (problem.laws.mu.size() < kFewestInside || !are_masses_alike(problem.rows)) return std::nullopt;
 
   // The forces as they are.
   CoulombSolution at_start = answer_of(problem, forces);
