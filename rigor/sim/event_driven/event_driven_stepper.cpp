@@ -7,6 +7,7 @@
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/toi_choice.hpp"
+#include "rigor/sim/pairs/remembered_forces.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -116,9 +117,9 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
     restored.push_back(body);
   }
   if (!is_continued) {
-    for (const ContactMemory& contact : state.events.contacts) {
-      trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
-      forces_.note(force_in(contact));
+    for (const ContactForce& force : state.events.is_left ? forces_in(state) : std::vector<ContactForce>()) {
+      trajectories_.set_lasting_contact(force.key.body_A, force.key.body_B);
+      forces_.note(force);
     }
     trajectories_.restore(restored, t_, queue_);
     // The contacts of the others are predicted when they have set out.
@@ -491,8 +492,7 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
     Vec3::Map(&state.L[3 * at(body)]) = now.L;
   }
   state.events.is_left = true;
-  state.events.contacts.clear();
-  for (const ContactForce& force : forces_.all()) state.events.contacts.push_back(memory_of(force));
+  keep_forces(forces_.all(), state);
   mirror_ = state;
 }
 

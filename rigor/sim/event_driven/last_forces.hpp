@@ -1,17 +1,11 @@
 #pragma once
 
 #include "rigor/core/index.hpp"
-#include "rigor/model/event_memory.hpp"
 #include "rigor/sim/pairs/touching_points.hpp"
 
 #include <vector>
 
 namespace rigor {
-
-/// How the State remembers the force of a contact that lasts.
-ContactMemory memory_of(const ContactForce& force);
-/// What it remembers.
-ContactForce force_in(const ContactMemory& memory);
 
 /// The contact forces that events have found, each until the next event of one of its bodies.
 class LastForces {

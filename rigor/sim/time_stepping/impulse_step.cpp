@@ -37,11 +37,13 @@ std::vector<ContactForce> forces_of(const ContactSystem& system, const StepImpul
 
 ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
                          const ContactSystemAssembler& assembler, const ContactResolver& resolver,
-                         const JointProjection& joints, const Method& method)
+                         const JointProjection& joints, const LastStepForces& last_forces,
+                         const Method& method)
     : model_(model),
       environment_(environment),
       assembler_(assembler),
       resolver_(resolver),
+      last_forces_(last_forces),
       free_motion_(model, environment, assembler, joints, method),
       solver_(method),
       springs_(model),
@@ -223,6 +225,9 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
     if (system.contacts[i].is_bounded_force())
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
   }
+
+  // The impulses that the forces of the last step would give.
+  laws.start = last_forces_.impulses(h, system);
 
   // A contact stuck if it touches and is still at the beginning.
   if (!laws.sticks.empty()) {

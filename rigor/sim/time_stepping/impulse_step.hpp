@@ -3,6 +3,7 @@
 #include "rigor/sim/islands/contact_resolver.hpp"
 #include "rigor/sim/time_stepping/free_motion.hpp"
 #include "rigor/sim/time_stepping/impact_memory.hpp"
+#include "rigor/sim/time_stepping/last_step_forces.hpp"
 #include "rigor/sim/time_stepping/step_solver.hpp"
 
 #include <vector>
@@ -19,7 +20,8 @@ namespace rigor {
 class ImpulseStep {
  public:
   ImpulseStep(const Model& model, const Environment& environment, const ContactSystemAssembler& assembler,
-              const ContactResolver& resolver, const JointProjection& joints, const Method& method);
+              const ContactResolver& resolver, const JointProjection& joints,
+              const LastStepForces& last_forces, const Method& method);
 
   /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
   /// they may still be apart by their gaps. Changes the momenta of the part. impacts: of the tries of this
@@ -64,6 +66,7 @@ class ImpulseStep {
   const Environment& environment_;
   const ContactSystemAssembler& assembler_;
   const ContactResolver& resolver_;
+  const LastStepForces& last_forces_;
   FreeMotion free_motion_;
   StepSolver solver_;
   ImplicitSprings springs_;

@@ -10,6 +10,7 @@
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"
 #include "rigor/solver/coulomb/static_friction.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
+#include "rigor/solver/motion/motion_start.hpp"
 #include "rigor/solver/motion/projected_gauss_seidel.hpp"
 
 #include <Eigen/Cholesky>
@@ -215,9 +216,12 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
   const bool is_sparse = !has_joints || system.contacts.size() > few;
   if (cone_ == ConeMethod::exact && resting_.space == RestingSpace::motion && is_sparse) {
-    if (std::optional<CoulombSolution> solution = solve_in_motion_space(
-            MotionProblem{motion_rows(system), problem}, {}, options_for(laws.resolution)))
-      return impulses_of(std::move(*solution));
+    const MotionProblem of_rows{motion_rows(system), problem};
+    const CoulombOptions options = options_for(laws.resolution);
+    std::optional<CoulombSolution> solution;
+    if (laws.start.size() > 0) solution = solve_from_forces(of_rows, laws.start, options);
+    if (!solution) solution = solve_in_motion_space(of_rows, {}, options);
+    if (solution) return impulses_of(std::move(*solution));
   }
   problem.A = delassus(system);
   return solve_dense(problem, laws.resolution);

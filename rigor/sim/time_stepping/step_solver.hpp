@@ -20,6 +20,7 @@ struct StepLaws {
   std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one per contact; or none: as μ.
   std::vector<bool> sticks;               ///< Whether a contact stuck at the beginning: as above.
   std::optional<SpringRows> springs;      ///< Those that act implicitly (not with solver pgs).
+  VecX start;                             ///< Impulses that may be near the solution (3n), or none [N s].
   /// Accuracy of b [m/s]: contacts that contradict each other by less may hold together.
   double resolution = 0;
 };

@@ -7,6 +7,7 @@
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
+#include "rigor/sim/pairs/remembered_forces.hpp"
 #include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/report/ledger.hpp"
 #include "rigor/sim/time_stepping/reaches.hpp"
@@ -44,7 +45,7 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
       assembler_(*model_, environment_, target_step),
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),
-      impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
+      impulses_(*model_, environment_, assembler_, resolver_, joints_, last_forces_, method),
       contacts_(*model_, environment_, method),
       executor_(threads) {
   for (int i = 0; i < model_->body_count(); ++i) {
@@ -55,6 +56,7 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
 }
 
 void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
+  last_forces_.remember(forces_in(state));
   if (state.t == 0) admit_overlaps(state);
   admit_velocities(state);
 }
@@ -76,6 +78,7 @@ double TimeStepper::step_towards(double t_end, double t, State& state) {
 
 void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
   state.anchor_here();
+  keep_forces(last_forces_.all(), state);
 }
 
 Cluster TimeStepper::cluster_in(const State& state) const {
@@ -142,6 +145,7 @@ double TimeStepper::take_step(double h, State& state) {
   write(trial->end, state);
   touching_ = std::move(trial->touching_after);
   forces_ = std::move(trial->forces);
+  last_forces_.remember(forces_);
   return trial->h;
 }
 

@@ -91,6 +91,7 @@ class TimeStepper : public FixedStepStepper {
   ContactSystemAssembler assembler_;
   ContactResolver resolver_;
   JointProjection joints_;
+  LastStepForces last_forces_;  ///< Of the last step.
   ImpulseStep impulses_;
   StepContacts contacts_;
   PartMemory moved_;               ///< The parts of the tries of one step.

@@ -18,13 +18,36 @@ namespace {
 /// A contact in the cone's coordinates: force x and rate y with their steps, and how y changes with the
 /// motion.
 struct ConeContact {
-  Mat3 T = Mat3::Zero();  ///< (n, t₁, t₂) of the cone from (t₁, t₂, n): λ = Tᵀ x, w = T⁻¹ (y - |y_t| e₀).
+  // (n, t₁, t₂) of the cone from (t₁, t₂, n) by T: λ = Tᵀ x, w = T⁻¹ (y - |y_t| e₀). Its rows are (0, 0,
+  // normal), (tangent, 0, 0) and (0, tangent, 0).
+  double normal = 1;   ///< 1 / μ; of a contact without friction 1,
+  double tangent = 0;  ///< and this 0 in place of 1.
   Vec3 b, x, y, dx = Vec3::Zero(), dy = Vec3::Zero();
   Mat3 W, inverse;  ///< Scaling of x and y.
-  Mat3 slope;       ///< dy / d(T w): what |w_t| adds.
   Mat3 stiffness;   ///< -dx / dy.
+  Vec2 slope;       ///< dy / d(T w) = 1 + e₀ (0, slope)ᵀ: what |w_t| adds.
   Vec3 misfit;      ///< y - |y_t| e₀ - T (L v) - b.
   Vec3 driven;      ///< dx where dy = 0.
+
+  Vec3 to_cone(const Vec3& w) const { return {normal * w(2), tangent * w(0), tangent * w(1)}; }
+  Vec3 from_cone(const Vec3& force) const {
+    return {tangent * force(1), tangent * force(2), normal * force(0)};
+  }
+  /// The change of y when T w changes by this.
+  Vec3 with_slope(const Vec3& change) const {
+    return {change(0) + slope.dot(change.tail<2>()), change(1), change(2)};
+  }
+  /// -dλ / dw.
+  Mat3 contact_stiffness() const {
+    Mat3 K = stiffness;
+    K.rightCols<2>() += stiffness.col(0) * slope.transpose();
+    Mat3 D;
+    D.topLeftCorner<2, 2>() = (tangent * tangent) * K.bottomRightCorner<2, 2>();
+    D.topRightCorner<2, 1>() = (tangent * normal) * K.bottomLeftCorner<2, 1>();
+    D.bottomLeftCorner<1, 2>() = (tangent * normal) * K.topRightCorner<1, 2>();
+    D(2, 2) = normal * normal * K(0, 0);
+    return D;
+  }
 };
 
 class InteriorPoint {
@@ -35,17 +58,16 @@ class InteriorPoint {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
       const double mu = laws.mu[k];
-      contact.T(0, 2) = mu > 0 ? 1 / mu : 1;
-      if (mu > 0) contact.T(1, 0) = contact.T(2, 1) = 1;
-      contact.b = contact.T * laws.b.segment<3>(3 * static_cast<Index>(k));
+      contact.normal = mu > 0 ? 1 / mu : 1;
+      contact.tangent = mu > 0 ? 1 : 0;
+      contact.b = contact.to_cone(laws.b.segment<3>(3 * static_cast<Index>(k)));
       speed_ = std::max(speed_, contact.b.cwiseAbs().maxCoeff());
     }
     // The start: all forces and rates on the axes of their cones.
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
-      const double scale = contact.T(0, 2);
       contact.y = Vec3(speed_, 0, 0);
-      contact.x = Vec3(masses(static_cast<Index>(k)) * speed_ / (scale * scale), 0, 0);
+      contact.x = Vec3(masses(static_cast<Index>(k)) * speed_ / (contact.normal * contact.normal), 0, 0);
     }
     energy_ = speed_ * speed_ * masses.mean();
     rates_ = motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(forces())));
@@ -74,7 +96,7 @@ class InteriorPoint {
   VecX forces() const {
     VecX lambda(3 * static_cast<Index>(contacts_.size()));
     for (std::size_t k = 0; k < contacts_.size(); ++k)
-      lambda.segment<3>(3 * static_cast<Index>(k)) = contacts_[k].T.transpose() * contacts_[k].x;
+      lambda.segment<3>(3 * static_cast<Index>(k)) = contacts_[k].from_cone(contacts_[k].x);
     return lambda;
   }
 
@@ -93,9 +115,8 @@ class InteriorPoint {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
       const double slip = std::hypot(contact.y.tail<2>().norm(), kRounding * speed_);
-      contact.slope.setIdentity();
-      contact.slope.row(0).tail<2>() = contact.y.tail<2>() / slip;
-      contact.misfit = contact.y - contact.T * rates_.segment<3>(3 * static_cast<Index>(k)) - contact.b;
+      contact.slope = contact.y.tail<2>() / slip;
+      contact.misfit = contact.y - contact.to_cone(rates_.segment<3>(3 * static_cast<Index>(k))) - contact.b;
       contact.misfit(0) -= slip;
       worst = std::max(worst, contact.misfit.cwiseAbs().maxCoeff());
     }
@@ -110,26 +131,27 @@ class InteriorPoint {
       const NesterovToddScaling scaling(contact.x, contact.y);
       contact.W = scaling.W;
       contact.inverse = scaling.inverse;
-      contact.stiffness = contact.inverse * contact.inverse;
-      D_[k] = contact.T.transpose() * contact.stiffness * contact.slope * contact.T;
+      contact.stiffness = scaling.inverse_square;
+      D_[k] = contact.contact_stiffness();
     }
     motion_.factor(D_, Symmetry::none);
   }
 
   /// Steps of all contacts from `driven`; the rates of the motion's step.
   void direct() {
-    VecX lambda(rates_.size());
+    lambda_.resize(rates_.size());
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const ConeContact& contact = contacts_[k];
-      lambda.segment<3>(3 * static_cast<Index>(k)) =
-          contact.T.transpose() * (contact.driven + contact.stiffness * (contact.slope * contact.misfit));
+      const Vec3 missing = contact.with_slope(contact.misfit);
+      lambda_.segment<3>(3 * static_cast<Index>(k)) =
+          contact.from_cone(contact.driven + contact.stiffness * missing);
     }
-    motion_.apply_transpose(lambda, momentum_);
+    motion_.apply_transpose(lambda_, momentum_);
     motion_.rates(motion_.solve(momentum_), rates_step_);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
-      const Vec3 rate = contact.T * rates_step_.segment<3>(3 * static_cast<Index>(k));
-      contact.dy = contact.slope * (rate - contact.misfit);
+      const Vec3 rate = contact.to_cone(rates_step_.segment<3>(3 * static_cast<Index>(k)));
+      contact.dy = contact.with_slope(rate - contact.misfit);
       contact.dx = contact.driven - contact.stiffness * contact.dy;
     }
   }
@@ -174,7 +196,7 @@ class InteriorPoint {
   std::vector<Mat3> D_;  ///< Of the Newton step.
   double speed_ = 0;     ///< Largest of b.
   double energy_ = 0;    ///< speed² times the mean mass.
-  VecX rates_, rates_step_, momentum_;
+  VecX rates_, rates_step_, momentum_, lambda_;
 };
 
 }  // namespace

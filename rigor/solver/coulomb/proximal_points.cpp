@@ -24,10 +24,8 @@ constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 // With forces as unknowns a point begins where the last one ended, and the first may be as near as this.
 constexpr double kBoldRho = 1e3;
-// Of so many contacts the first guess comes from their interior: a few of them are guessed sooner by points.
 // Points that begin near the solution may be as near as this.
-constexpr std::size_t kFewestInside = 48;
-constexpr double kRhoFromInside = 1e4;
+constexpr double kRhoNear = 1e4;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their
 // rounding is still below what counts as solved.
@@ -54,6 +52,7 @@ class ProximalPoints {
     const Index count = static_cast<Index>(laws.mu.size());
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
     if (is_bold_ && options.start.size() == 0 && laws.mu.size() >= kFewestInside) begin_inside();
+    if (options.is_near) rho_ = kRhoNear;
     v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
   }
 
@@ -108,7 +107,7 @@ class ProximalPoints {
     const std::optional<VecX> inside = interior_forces(laws_, motion_);
     if (!inside) return;
     lambda_ = clamp_to_cones(laws_, *inside);
-    rho_ = kRhoFromInside;
+    rho_ = kRhoNear;
   }
 
   std::optional<ProximalPoint> next_point(double share) {

@@ -3,10 +3,15 @@
 #include "rigor/solver/coulomb/coulomb_problem.hpp"
 #include "rigor/solver/linear/contact_motion.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 
 namespace rigor {
+
+/// Of so many contacts bold searches without a start begin in the interior of the cones: what a few of them
+/// do is guessed sooner otherwise.
+inline constexpr std::size_t kFewestInside = 48;
 
 struct ProximalPointOptions {
   /// Residual at which the search ends.
@@ -21,6 +26,8 @@ struct ProximalPointOptions {
   /// many contacts share loads, but what it finds of several solutions need not be as symmetric as the
   /// problem.
   bool is_bold = false;
+  /// Whether `start` is near the solution: the points then begin with a large ρ.
+  bool is_near = false;
   /// Forces to begin with (3n); none: 0.
   VecX start = VecX();
 };

@@ -47,7 +47,7 @@ inline double step_to_border(const Vec3& x, const Vec3& d) {
 
 /// Scaling of Nesterov and Todd: the symmetric W with W x = W⁻¹ y, of x and y inside.
 struct NesterovToddScaling {
-  Mat3 W, inverse;
+  Mat3 W, inverse, inverse_square;
 
   NesterovToddScaling(const Vec3& x, const Vec3& y) {
     // Of x and y on the unit hyperboloid, the point w half way between y and the mirrored x.
@@ -64,6 +64,12 @@ struct NesterovToddScaling {
     inverse.row(0).tail<2>() *= -1;
     inverse.col(0).tail<2>() *= -1;
     W *= scale;
+    // With the mirror image of w the square of the inverse is 2 w wᵀ - diag(1, -1, -1), over that of the
+    // scale.
+    const Vec3 image(w(0), -w(1), -w(2));
+    inverse_square = (2 * image) * image.transpose();
+    inverse_square.diagonal() += Vec3(-1, 1, 1);
+    inverse_square /= scale * scale;
   }
 };
 

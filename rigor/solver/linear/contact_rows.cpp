@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/contact_rows.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/solver/linear/two_doubles.hpp"
 
 #include <algorithm>
@@ -34,6 +35,17 @@ void contact_rates(const ContactRows& rows, const VecX& V, VecX& rates) {
   for (std::size_t i = 0; i < rows.contacts.size(); ++i)
     for (const ContactRows::Side& side : rows.contacts[i])
       if (side.node >= 0) add_rates(side.J.data(), V.data() + 6 * side.node, rates.data() + 3 * i);
+}
+
+bool are_masses_alike(const ContactRows& rows) {
+  constexpr double kMostRatio = 1e3;
+  double least = kInfinity, most = 0;
+  for (const Mat6& mass : rows.masses) {
+    const double largest = mass.diagonal().head<3>().maxCoeff();
+    least = std::min(least, largest);
+    most = std::max(most, largest);
+  }
+  return most <= kMostRatio * least;
 }
 
 VecX contact_rates(const ContactRows& rows, const VecX& V) {

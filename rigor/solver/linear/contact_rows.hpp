@@ -42,6 +42,10 @@ struct ContactRows {
 void constrain_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes,
                      ContactRows& rows);
 
+/// Whether springs that are stiff for one body are so for all: no mass is a thousand times another one. Under
+/// a body of a million times its mass those of a light one give way.
+bool are_masses_alike(const ContactRows& rows);
+
 /// J V (3n).
 VecX contact_rates(const ContactRows& rows, const VecX& V);
 void contact_rates(const ContactRows& rows, const VecX& V, VecX& rates);

@@ -9,10 +9,10 @@
 #include "rigor/solver/coulomb/least_norm_slips.hpp"
 #include "rigor/solver/coulomb/proximal_points.hpp"
 #include "rigor/solver/motion/least_constraint.hpp"
+#include "rigor/solver/motion/swept_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -47,7 +47,7 @@ class MotionSolver {
       std::optional<CoulombSolution> solution = solve_to_resolution();
       if (solution && (solution->converged || !is_dense_enough())) return solution;
     }
-    const bool is_near = start_.size() > 0 && options_.resolution && are_masses_alike();
+    const bool is_near = start_.size() > 0 && options_.resolution && are_masses_alike(problem_.rows);
     if (is_frictionless() && is_dense_enough() && !is_near)
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
     if (start_.size() > 0 && !options_.least_norm) return is_near ? solve_to_resolution() : share_somehow();
@@ -71,26 +71,13 @@ class MotionSolver {
     return std::all_of(laws_.mu.begin(), laws_.mu.end(), [](double mu) { return mu == 0; });
   }
 
-  /// Whether springs that are stiff for one body are so for all: under a body of a million times its mass
-  /// those of a light one give way.
-  bool are_masses_alike() const {
-    constexpr double kMostRatio = 1e3;
-    double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Mat6& mass : problem_.rows.masses) {
-      const double largest = mass.diagonal().head<3>().maxCoeff();
-      least = std::min(least, largest);
-      most = std::max(most, largest);
-    }
-    return most <= kMostRatio * least;
-  }
-
   /// Whether some motion may stop all contacts at once: stiff springs in their place leave next to nothing of
   /// their rates. It costs one elimination, less than half of what it takes to find forces that hold.
   bool may_hold() const {
     constexpr double kStiffness = 1e6, kShare = 1e-2;  // Times the mass of each contact; of the rates.
     const bool are_free = std::all_of(laws_.rows.begin(), laws_.rows.end(),
                                       [](FrictionRow row) { return row == FrictionRow::cone; });
-    if (is_frictionless() || !are_free || !are_masses_alike()) return true;
+    if (is_frictionless() || !are_free || !are_masses_alike(problem_.rows)) return true;
     const VecX masses = effective_masses(motion_.diagonal());
     std::vector<Mat3> D(laws_.mu.size());
     VecX forces = laws_.b;
@@ -284,12 +271,16 @@ class MotionSolver {
   std::optional<CoulombSolution> solve_to_resolution() const {
     // Contact space may still solve what is left, but of many contacts it takes minutes.
     constexpr std::size_t kMostInContactSpace = 60;
+    // What few contacts do shows in a few sweeps.
+    constexpr int kSweeps = 20;
+    const bool is_swept =
+        options_.is_bold && start_.size() == 0 && !problem_.rows.joints && laws_.mu.size() < kFewestInside;
     return solve_by_proximal_points(laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
                                     {.enough = options_.enough,
                                      .resolution = *options_.resolution,
                                      .gives_best = laws_.mu.size() > kMostInContactSpace,
                                      .is_bold = options_.is_bold,
-                                     .start = start_});
+                                     .start = is_swept ? swept_forces(problem_, kSweeps) : start_});
   }
 
   CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {

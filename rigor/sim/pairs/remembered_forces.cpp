@@ -1,8 +1,10 @@
-#include "rigor/sim/event_driven/last_forces.hpp"
+#include "rigor/sim/pairs/remembered_forces.hpp"
 
 #include <limits>
 
 namespace rigor {
+
+namespace {
 
 ContactMemory memory_of(const ContactForce& force) {
   const ContactKey& key = force.key;
@@ -21,6 +23,21 @@ ContactForce force_in(const ContactMemory& memory) {
           is_known ? Vec3(Vec3::Map(&memory.values[EventMemory::force]))
                    : Vec3::Constant(std::numeric_limits<double>::quiet_NaN()),
           mode};
+}
+
+}  // namespace
+
+void keep_forces(const std::vector<ContactForce>& forces, State& state) {
+  state.events.contacts.clear();
+  state.events.contacts.reserve(forces.size());
+  for (const ContactForce& force : forces) state.events.contacts.push_back(memory_of(force));
+}
+
+std::vector<ContactForce> forces_in(const State& state) {
+  std::vector<ContactForce> forces;
+  forces.reserve(state.events.contacts.size());
+  for (const ContactMemory& memory : state.events.contacts) forces.push_back(force_in(memory));
+  return forces;
 }
 
 }  // namespace rigor

@@ -1,0 +1,78 @@
+#include "rigor/solver/motion/swept_forces.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+/// A contact with what its forces do to its bodies.
+struct SweptContact {
+  struct Side {
+    int node;
+    Eigen::Matrix<double, 6, 3> J_T, response;  ///< Jᵀ, M⁻¹ Jᵀ.
+  };
+  std::array<Side, 2> sides;
+  int side_count = 0;
+  double normal = 0, tangent = 0;  ///< 1 / A_nn and 1 / the trace of A_tt; 0 where nothing gives way.
+};
+
+SweptContact swept_contact(const ContactRows& rows, const ContactRows::Sides& sides) {
+  SweptContact contact;
+  Mat3 A = Mat3::Zero();
+  for (const ContactRows::Side& side : sides) {
+    if (side.node < 0 || contact.side_count == 2) continue;
+    SweptContact::Side& own = contact.sides[at(contact.side_count++)];
+    own = {side.node, side.J.transpose(), rows.inverse_masses[at(side.node)] * side.J.transpose()};
+    A += side.J * own.response;
+  }
+  if (A(2, 2) > 0) contact.normal = 1 / A(2, 2);
+  if (A(0, 0) + A(1, 1) > 0) contact.tangent = 1 / (A(0, 0) + A(1, 1));
+  return contact;
+}
+
+}  // namespace
+
+VecX swept_forces(const MotionProblem& problem, int sweeps) {
+  const CoulombProblem& laws = problem.laws;
+  std::vector<SweptContact> contacts;
+  contacts.reserve(laws.mu.size());
+  for (const ContactRows::Sides& sides : problem.rows.contacts)
+    contacts.push_back(swept_contact(problem.rows, sides));
+  VecX lambda = VecX::Zero(laws.b.size());
+  VecX V = VecX::Zero(6 * static_cast<Index>(problem.rows.node_count()));
+
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    count_work(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      // The rates as they are.
+      const SweptContact& contact = contacts[i];
+      Vec3 w = laws.b.segment<3>(3 * static_cast<Index>(i));
+      for (int s = 0; s < contact.side_count; ++s)
+        w += contact.sides[at(s)].J_T.transpose() * V.segment<6>(6 * contact.sides[at(s)].node);
+
+      // The forces that they ask for, in their cone.
+      auto own = lambda.segment<3>(3 * static_cast<Index>(i));
+      Vec3 force(own(0) - contact.tangent * w(0), own(1) - contact.tangent * w(1),
+                 std::max(0.0, own(2) - contact.normal * w(2)));
+      const double length = force.head<2>().norm(), most = laws.mu[i] * force(2);
+      if (length > most) force.head<2>() *= most / length;
+
+      // What they change.
+      const Vec3 change = force - own;
+      own = force;
+      for (int s = 0; s < contact.side_count; ++s)
+        V.segment<6>(6 * contact.sides[at(s)].node) += contact.sides[at(s)].response * change;
+    }
+  }
+  return lambda;
+}
+
+}  // namespace rigor
