@@ -63,6 +63,9 @@ if [ "$scope" = all ]; then
   echo "== stiff scenes: every run ends; audits that fail are told (docs/reliability.md)"
   nice -n 19 tools/stiff_study.py --program build/release/rigor --jobs "$jobs" --scenes 30 --cpu-limit 60 || true
 
+  echo "== scenes that only lose energy: 200 for each scheme, against its bar (docs/reliability.md)"
+  nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --cpu-limit 20 || true
+
   echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"
   tools/study_meshes.sh 2000
 

@@ -269,7 +269,9 @@ void BulkWorld::stop_passing(double h) {
   for (const PassingGuard::Stopped& stopped : all) {
     MotionRow& row = s.forces.accelerations()[at(stopped.body)];
     MotionRecord& motion = bodies_.motion[at(stopped.body)];
-    if (!(row[0] * motion.dp[0] + row[1] * motion.dp[1] + row[2] * motion.dp[2] > 0)) continue;
+    // Of a body that does not get away at all its velocity tells whether it falls.
+    const float* const way = stopped.share > 0 ? motion.dp : motion.v;
+    if (!(row[0] * way[0] + row[1] * way[1] + row[2] * way[2] > 0)) continue;
     const float share = static_cast<float>(stopped.share);
     for (std::size_t k = 0; k < 3; ++k) {
       motion.v[k] -= static_cast<float>(h) * (1 - share) * row[k];

@@ -93,6 +93,7 @@ void EnergyBound::find_tied() {
 
 void EnergyBound::begin(const BulkBodies& bodies, const Executor& executor) {
   begin_.resize(bodies.x.size());
+  work_.assign(bodies.x.size(), 0);
   executor.for_ranges(bodies.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       begin_[at(i)] = bodies.is_dynamic(i) ? kinetic_energy(*model_, i, bodies) : 0;
@@ -108,12 +109,14 @@ void EnergyBound::add_work(const BulkBodies& bodies, const std::vector<MotionRow
       const MotionRecord& moved = bodies.motion[at(i)];
       const MotionRow& row = accelerations[at(i)];
       // The work of a constant acceleration is its force times the displacement of the centre.
-      begin_[at(i)] += body.mass * vector_of(row.data()).dot(vector_of(moved.dp));
+      work_[at(i)] = body.mass * vector_of(row.data()).dot(vector_of(moved.dp));
       // That of an angular acceleration is its torque times the rotation vector, in the principal frame.
       const Vec3 alpha = vector_of(row.data() + 4);
-      if (alpha.isZero(0)) continue;
-      const Mat3 R_BW = rotation_matrix(bodies.q[at(i)]).transpose();
-      begin_[at(i)] += body.moments.cwiseProduct(R_BW * alpha).dot(R_BW * vector_of(moved.dr));
+      if (!alpha.isZero(0)) {
+        const Mat3 R_BW = rotation_matrix(bodies.q[at(i)]).transpose();
+        work_[at(i)] += body.moments.cwiseProduct(R_BW * alpha).dot(R_BW * vector_of(moved.dr));
+      }
+      begin_[at(i)] += work_[at(i)];
     }
   });
 }
@@ -310,6 +313,24 @@ void EnergyBound::calm(const IslandGain& island, BulkBodies& bodies) const {
   const double energy = energy_against(common, island, bodies);
   const double part = energy > island.gain ? std::sqrt(1 - island.gain / energy) : 0;
   keep_part_of_motion(*model_, island.bodies, common, part, bodies);
+  if (island.is_pressed && island.gain > energy) go_back(island, island.gain - energy, bodies);
+}
+
+/// Takes back that part of the way of an island whose lift nothing has paid for; `rest` is that lift [J]. It
+/// stands, so that its momenta do not tell where it does.
+void EnergyBound::go_back(const IslandGain& island, double rest, BulkBodies& bodies) const {
+  double lifted = 0;
+  for (const int i : island.bodies) {
+    lifted -= work_[at(i)];
+    if (is_jointed_[at(i)] != 0) return;  // Joints do not hold along straight ways.
+  }
+  if (!(lifted > 0)) return;
+  const double part = std::min(1.0, rest / lifted);
+  for (const int i : island.bodies) {
+    const MotionRecord& motion = bodies.motion[at(i)];
+    bodies.x[at(i)] -= part * vector_of(motion.dp);
+    bodies.q[at(i)] = (rotation_exp(-part * vector_of(motion.dr)) * bodies.q[at(i)]).normalized();
+  }
 }
 
 }  // namespace rigor

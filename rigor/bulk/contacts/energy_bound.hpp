@@ -19,8 +19,9 @@ namespace rigor {
 /// springs hold, less the work of forces, E(end) - E(begin) is taken: from springs that hold what nothing
 /// paid for, then from the impulses of its contacts, all in one part, and what is left from the motion of its
 /// bodies against each other (of an island that something fixed has pressed, against that), in equal parts,
-/// which leaves its momenta as they are. Islands with springs, motors or moving kinematic bodies, whose work
-/// is not known, are left alone.
+/// which leaves its momenta as they are. Where all of its motion does not pay for what overlaps that are put
+/// back have lifted, its bodies go back along their ways until it does. Islands with springs, motors or
+/// moving kinematic bodies, whose work is not known, are left alone.
 class EnergyBound {
  public:
   explicit EnergyBound(const Model& model);
@@ -57,6 +58,7 @@ class EnergyBound {
   void lessen_impulses(BulkContacts& contacts, BulkBodies& bodies);
   double energy_against(const CommonMotion& common, const IslandGain& island, const BulkBodies& bodies) const;
   void calm(const IslandGain& island, BulkBodies& bodies) const;
+  void go_back(const IslandGain& island, double rest, BulkBodies& bodies) const;
 
   const Model* model_;
   BulkIslands islands_;
@@ -64,6 +66,7 @@ class EnergyBound {
   std::vector<char> is_anchored_, is_jointed_;  ///< Bodies that joints tie to something fixed, or to others.
   std::vector<double> lift_;                    ///< Of bodies: what is nothing to them at rest [J].
   std::vector<double> begin_;  ///< Of bodies: kinetic energy at the beginning, then with the work [J].
+  std::vector<double> work_;   ///< Of bodies: the work of their forces in the step [J].
   std::vector<double> gain_;   ///< Of bodies: kinetic energy that nothing explains [J].
   std::vector<IslandGain> gains_;
   std::vector<int> gain_at_;      ///< Index in gains_ of the island of which a body is the lowest; -1: none.

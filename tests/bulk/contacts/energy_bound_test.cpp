@@ -83,7 +83,8 @@ struct Energies {
 Energies energies(const Model& model, const State& state) {
   Energies sum{kinetic_energy_of(model, state), 0};
   sum.total = sum.kinetic;
-  for (int i = 1; i < model.body_count(); ++i) sum.total += 9.81 * model.body(i).mass * state.position(i).z();
+  for (int i = 1; i < model.body_count(); ++i)
+    sum.total -= model.body(i).mass * model.g_W().dot(state.position(i));
   for (const ManifoldMemory& manifold : state.manifolds) sum.total += static_cast<double>(manifold.energy);
   return sum;
 }
@@ -116,6 +117,64 @@ TEST(EnergyBound, NoDissipativeSceneGainsEnergy) {
     EXPECT_LE(largest_rise(heap(draw), step), 1e-4) << "heap " << k;
     EXPECT_LE(largest_rise(bricks(draw), step), 1e-4) << "bricks " << k;
     EXPECT_LE(largest_rise(stack(draw), step), 1e-4) << "stack " << k;
+  }
+}
+
+/// A heap under strong gravity and long steps: bodies go deep into each other where they meet, and what then
+/// lifts them out of it comes to rest at once.
+std::shared_ptr<const Model> heavy_heap(Draw& draw) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -50));
+  builder.add_material({"m", 1000, draw.between(0, 1), draw.below(2) == 0 ? 0 : draw.between(0, 1)});
+  add_floor(builder);
+  const double size = draw.spread(0.02, 0.1);
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 place(1.2 * (k % 2), 1.2 * (k / 2 % 2), 0.8 + 1.25 * (k / 4));
+    BodyDescription body = random_body("b" + std::to_string(k), random_shape(draw, 0.6 * size), size * place);
+    body.q_WU = draw.orientation();
+    body.angular_velocity = 8 * draw.direction();
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+TEST(EnergyBound, WhatIsLiftedOutOfAnOverlapIsPaidFor) {
+  Draw draw(5);
+  for (int k = 0; k < 12; ++k) EXPECT_LE(largest_rise(heavy_heap(draw), 1.0 / 60), 1e-5) << "heap " << k;
+}
+
+/// A column of small cylinders of any densities that a fast ball hits: some go so far into each other that
+/// they cannot get away, step after step.
+std::shared_ptr<const Model> struck_column(Draw& draw) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -draw.between(1, 10)));
+  builder.add_material({"m", 1000, draw.between(0.3, 1.2), draw.below(2) == 0 ? 0 : 0.8});
+  add_floor(builder);
+  const double size = draw.spread(0.01, 0.02), radius = size * draw.between(0.3, 1);
+  double top = 0;
+  for (int k = 0; k < 11; ++k) {
+    const double height = size * draw.between(0.3, 1);
+    BodyDescription body =
+        random_body("b" + std::to_string(k), Cylinder{radius, 0.5 * height}, Vec3(0, 0, top + 0.5 * height));
+    body.mass = height * radius * radius * draw.spread(3, 3e6);
+    builder.add_body(body);
+    top += height;
+  }
+  BodyDescription ball =
+      random_body("ball", Sphere{0.7 * size}, Vec3(-4 * size, 0, 0.7 * size + draw.between(0, 1) * top));
+  ball.mass = size * size * size * draw.spread(3, 3e6);
+  ball.velocity = Vec3(draw.between(0, 10), 0, 0);
+  builder.add_body(ball);
+  return builder.build();
+}
+
+TEST(EnergyBound, WhatCannotGetAwayDoesNotFallForNothing) {
+  Draw draw(7);
+  for (int k = 0; k < 6; ++k) {
+    const double step = draw.spread(0.004, 0.01);
+    const std::shared_ptr<const Model> model = struck_column(draw);
+    if (k < 4) continue;  // It happens in few of them: in the last of these.
+    EXPECT_LE(largest_rise(model, step), 1e-4) << "column " << k;
   }
 }
 
