@@ -243,6 +243,12 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
+/// Whether the point is a corner of the face of B that carries the normal (share_normals_of_faces).
+bool is_corner_of_face(const ContactPoint& point) {
+  return point.curvature_B.flat_count == 2 && point.curvature_A.flat_count == 0 &&
+         !point.curvature_A.flat_W.isZero(0);
+}
+
 /// The contact with its bodies exchanged, but with the same feature.
 ContactPoint reversed(ContactPoint point) {
   std::swap(point.p_WA, point.p_WB);
@@ -327,7 +333,14 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
   // A face carries its normal, and the other surface leans on it; without a face the closest points are
   // found anew.
   ContactPoint point = old;
-  if (old.curvature_B.flat_count == 2) {
+  if (is_corner_of_face(old)) {
+    // The corner where its body carries it, and what is over it along the normal of its face.
+    point.n_W = carried_direction(X_WB0, X_WB, old.n_W);
+    point.p_WB = carried_point(X_WB0, X_WB, old.p_WB);
+    const Vec3 other = carried_direction(X_WA0, X_WA, old.curvature_A.flat_W);
+    point.gap = other.dot(point.p_WB - carried_point(X_WA0, X_WA, old.p_WA)) / other.dot(point.n_W);
+    point.p_WA = point.p_WB - point.gap * point.n_W;
+  } else if (old.curvature_B.flat_count == 2) {
     point.n_W = carried_direction(X_WB0, X_WB, old.n_W);
     point.p_WA = leaning_point(shape_A, old.curvature_A, old.p_WA, {old.n_W, point.n_W}, {X_WA0, X_WA});
     const Vec3 on_face = carried_point(X_WB0, X_WB, old.p_WB);

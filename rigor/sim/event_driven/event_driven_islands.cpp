@@ -1,3 +1,4 @@
+#include "rigor/contact/system/face_normals.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/islands/displacement.hpp"
@@ -80,6 +81,7 @@ void EventDrivenStepper::begin_step(Island island) {
   }
 
   // The step; it may end early where a mode changes.
+  share_normals_of_faces(island.contacts);
   integrator_.choose_joint_rows(island);
   RunningIsland running = stepping_.take_step(std::move(island), h, report_);
   const bool is_whole = !running.change && running.step.h == t_end_ - t_;
