@@ -202,7 +202,10 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
     // The circle about the axis on which it touched, at the point farthest along the normal.
     const Pose X_WS = after * shape.X_BS;
     const Vec3 axis = X_WS.R.col(2);
-    const Vec3 outward = m_W - m_W.dot(axis) * axis;
+    // Of a normal that is the axis but for rounding what is left is rounding, too: square to the axis it is
+    // made once more.
+    Vec3 outward = (m_W - m_W.dot(axis) * axis).normalized();
+    outward -= outward.dot(axis) * axis;
     return X_WS.p + (p_W0 - then->middle).dot(then->axis) * axis + then->radius * outward.normalized();
   }
   const Pose X_WS = after * shape.X_BS;

@@ -12,6 +12,14 @@ SurfaceCurvature without_flat_directions(SurfaceCurvature curvature) {
   return curvature;
 }
 
+/// What lies on a face at a point of the common region. Only the lowest point of a rim moves along it as the
+/// normal turns; where a rim crosses a border it is a point of its body.
+SurfaceCurvature resting_surface(const ContactShape& shape, const ClipPoint& point, const Vec3& m) {
+  const bool is_on_rim = !shape.is_polyhedron() && point.shape_feature.kind == Feature::Kind::edge;
+  if (point.kind == ClipPoint::Kind::crossing && is_on_rim) return {};
+  return without_flat_directions(shape.curvature(point.shape_feature, point.p, m));
+}
+
 SurfaceCurvature flat_surface() {
   SurfaceCurvature curvature;
   curvature.flat_count = 2;
@@ -41,8 +49,7 @@ std::optional<std::vector<ContactPoint>> face_contacts(const ContactPair& pair, 
     const bool is_corner = point.kind == ClipPoint::Kind::face_corner;
     const SurfaceCurvature of_face = is_corner ? SurfaceCurvature{} : flat_surface();
     const SurfaceCurvature of_shape =
-        is_corner ? flat_surface()
-                  : without_flat_directions(shape.curvature(point.shape_feature, point.p, -face.normal));
+        is_corner ? flat_surface() : resting_surface(shape, point, -face.normal);
     ContactPoint contact{.p_WA = face_is_of_A ? p_face : point.p,
                          .p_WB = face_is_of_A ? point.p : p_face,
                          .n_W = face_is_of_A ? face.normal : (-face.normal).eval(),
