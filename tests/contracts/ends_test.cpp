@@ -71,16 +71,27 @@ void expect_finite_rows(const std::string& text, const std::string& run) {
   }
 }
 
+/// Waits until the run has begun its trajectory in CSV; from then on it answers signals, whatever else the
+/// machine does.
+void wait_for_rows(const ProgramFolder& folder) {
+  const auto begin = std::chrono::steady_clock::now();
+  while (line_count(folder.read("a.csv")) < 1 &&
+         std::chrono::steady_clock::now() - begin < std::chrono::seconds(20))
+    ::usleep(1000);
+}
+
 TEST(Ends, HardScenesEndOnSigtermWithWholeFiles) {
   const ProgramFolder folder;
   for (const HardScene& scene : hard_scenes) {
     folder.write("a.yaml", std::string(head) + scene.bodies);
     for (const char* const scheme : {"event-driven", "time-stepping", "impulse-based"}) {
       const std::string run = std::string(scene.name) + " " + scheme;
+      std::filesystem::remove(folder / "a.csv");
       const pid_t child =
           folder.start({"run", "a.yaml", "--quiet", "--set", std::string("method.scheme=") + scheme, "-o",
                         "a.csv", "-o", "a.h5", "--json", "a.json"});
-      ::usleep(80000);
+      wait_for_rows(folder);
+      ::usleep(30000);
       ::kill(child, SIGTERM);
       const auto begin = std::chrono::steady_clock::now();
       const ProgramResult result = folder.wait(child);

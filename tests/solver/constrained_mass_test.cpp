@@ -152,6 +152,24 @@ TEST(ConstrainedMass, OneNodeOnTheGroundMeetsItsEquations) {
   }
 }
 
+/// Rows along the axes leave just zero of what pushes the node, without rounding.
+TEST(ConstrainedMass, ANodeHeldOnAllSidesAnswersNothingExactly) {
+  ConstrainedMass mass({.node_count = 2, .links = {{6, {0}}, {3, {0, 1}}}});
+  const Mat6 M = Vec6(96, 96, 96, 4.16, 4.16, 2.56).asDiagonal();
+  Mat6 shifted = Mat6::Zero();
+  shifted.topRows<3>() = Mat6::Identity().topRows<3>();
+  const std::vector<Mat6> masses{M, M}, rows{Mat6::Identity(), shifted, -shifted};
+  mass.factor(masses, rows);
+  const MatX response = mass.solve(MatX::Ones(12, 1));
+  const VecX a = mass.solve(VecX::Ones(12), VecX::Zero(9)).a;
+  for (const auto& motion : {VecX(response.col(0)), a}) {
+    // The first node is held; the second one turns about its centre alone.
+    EXPECT_EQ(motion.head<6>(), Vec6::Zero());
+    EXPECT_LT(motion.segment<3>(6).norm(), 1e-16);
+    EXPECT_LT((motion.tail<3>() - Vec3(1 / 4.16, 1 / 4.16, 1 / 2.56)).norm(), 1e-15);
+  }
+}
+
 TEST(ConstrainedMass, WithoutLinksNodesAreFree) {
   RandomSystem random(1);
   random.node();

@@ -12,6 +12,14 @@ namespace {
 /// Share of the depth that springs are made for at which a contact that a step went past is met by a shorter
 /// one: five times what the steps that end at it may miss.
 constexpr double deep_share = 0.1;
+/// Share of a contact's free mobility below which what joints leave of it is the rounding of their factors.
+constexpr double mobility_rounding = 1e-12;
+
+/// What joints leave of a mobility: 0 where they hold the bodies as rigidly as what moves on a path. No force
+/// could move them there, and a spring made for their mass would ask for steps of its own frequency.
+double held_mobility(double response, double free) {
+  return response > mobility_rounding * free ? response : 0;
+}
 
 /// The memories of the State, each of which is taken once: by the contact of the same key, or by one of the
 /// same shapes if the features have changed.
@@ -112,7 +120,8 @@ PenaltyContact PenaltyTouching::fresh_spring(const ContactSystem& system, std::s
   if (system.joints) {
     if (response.size() == 0) response = delassus(system);
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
-    mobility = {response(k + 2, k + 2), std::max(response(k, k), response(k + 1, k + 1))};
+    mobility = {held_mobility(response(k + 2, k + 2), mobility.normal),
+                held_mobility(std::max(response(k, k), response(k + 1, k + 1)), mobility.tangential)};
   }
   PenaltyChoice choice = choice_;
   choice.least_speed = least_speed(contact);

@@ -196,6 +196,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag, c
   const VecX u_active = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     if (touching.system.contacts[i].is_bounded_force()) continue;
+    if (touching.springs[i].speed == 0) continue;  // Where nothing can move, there is no force.
     if (!asks_for_steps(touching.system.contacts[i], touching.springs[i].speed)) continue;
     const double parting = u_active[3 * static_cast<Eigen::Index>(i) + 2];
     touching.free_time = std::min(

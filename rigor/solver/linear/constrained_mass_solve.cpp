@@ -216,7 +216,9 @@ void ConstrainedMass::substitute(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda) co
         lambda(first + i) = sum;
       }
     }
-    if (!u.isZero(0)) a.segment<6>(6 * node.node) = pivot.K_Y.transpose() * u;
+    // Nothing times K_Y is nothing: of most columns most nodes do not move, and rows that hold a node on all
+    // sides may leave just zero of what pushed it.
+    a.segment<6>(6 * node.node) = u.isZero(0) ? u : Vec6(pivot.K_Y.transpose() * u);
   }
 }
 
