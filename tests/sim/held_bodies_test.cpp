@@ -1,0 +1,115 @@
+// A body that joints hold to the world on all sides is as a static one to what falls on it.
+
+#include "random_vectors.hpp"
+#include "sim/time_stepping_scenes.hpp"
+
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/make_stepper.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rigor::held_bodies_test {
+namespace {
+
+using JointDescription = ModelBuilder::JointDescription;
+
+enum class Hold { static_body, fixed_joint, hinges, ball_joints };
+
+struct Drop {
+  Vec3 size;      ///< Of the box on which the ball falls [m].
+  Quat q;         ///< Its orientation.
+  Vec3 x;         ///< Where the ball begins [m].
+  double radius;  ///< Of the ball [m].
+  double restitution, friction;
+};
+
+Drop random_drop(test::Random& random) {
+  const double turn = random.uniform(-0.4, 0.4);
+  return {.size = Vec3(random.uniform(0.3, 0.8), random.uniform(0.3, 0.8), random.uniform(0.2, 0.5)),
+          // Along the axes rows of joints cancel without rounding, aslant they do not.
+          .q = random.uniform(0, 1) < 0.5 ? Quat::Identity() : Quat(Eigen::AngleAxisd(turn, Vec3::UnitX())),
+          .x = Vec3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.8),
+          .radius = random.uniform(0.03, 0.2),
+          .restitution = random.uniform(0, 1),
+          .friction = random.uniform(0, 0.8)};
+}
+
+JointDescription joint(const std::string& name, JointType type, const Vec3& anchor) {
+  JointDescription joint;
+  joint.name = name;
+  joint.type = type;
+  joint.bodies = {"world", "box"};
+  joint.anchors = {anchor};
+  return joint;
+}
+
+void add_joints(Hold hold, ModelBuilder& builder) {
+  if (hold == Hold::fixed_joint) builder.add_joint(joint("weld", JointType::fixed, Vec3::Zero()));
+  if (hold == Hold::hinges) {
+    for (const Vec3& axis : {Vec3::UnitX().eval(), Vec3::UnitY().eval()}) {
+      JointDescription hinge = joint(axis.x() > 0 ? "x" : "y", JointType::hinge, Vec3(0.05, 0.1, 0));
+      hinge.axis = axis;
+      builder.add_joint(hinge);
+    }
+  }
+  if (hold == Hold::ball_joints) {
+    builder.add_joint(joint("a", JointType::ball, Vec3(0.2, 0, 0)));
+    builder.add_joint(joint("b", JointType::ball, Vec3(0, 0.2, 0)));
+    builder.add_joint(joint("c", JointType::ball, Vec3(-0.1, -0.1, 0.1)));
+  }
+}
+
+/// Where the ball is after 0.6 s, about 0.3 s after its impact.
+Vec3 end_of(const Drop& drop, Hold hold, Scheme scheme) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, drop.friction, drop.restitution});
+  BodyDescription box = test::stepping_body("box", Box{drop.size}, Vec3::Zero());
+  box.q_WU = drop.q;
+  if (hold == Hold::static_body) box.motion = MotionType::fixed, box.mass = {};
+  builder.add_body(box);
+  builder.add_body(test::stepping_body("ball", Sphere{drop.radius}, drop.x));
+  add_joints(hold, builder);
+  const std::shared_ptr<const Model> model = builder.build();
+  Method method;
+  method.scheme = scheme;
+  State state = make_initial_state(*model);
+  Auditor auditor(model, method, state);
+  auditor.observe(state, make_stepper(model, method, 0.01)->advance(state, 0.6));
+  EXPECT_TRUE(auditor.audit(state).violations.empty());
+  return state.position(1);
+}
+
+struct Promise {
+  Scheme scheme;
+  double error;  ///< Of the ball's place [m].
+  int drops;
+};
+
+class HeldBodies : public testing::TestWithParam<Promise> {};
+
+TEST_P(HeldBodies, AreAsStaticOnes) {
+  const auto [scheme, error, drops] = GetParam();
+  test::Random random(5);
+  for (int k = 0; k < drops; ++k) {
+    const Drop drop = random_drop(random);
+    const Vec3 expected = end_of(drop, Hold::static_body, scheme);
+    for (const Hold hold : {Hold::fixed_joint, Hold::hinges, Hold::ball_joints}) {
+      SCOPED_TRACE(testing::Message() << "drop " << k << ", hold " << static_cast<int>(hold));
+      EXPECT_LT((end_of(drop, hold, scheme) - expected).norm(), error);
+    }
+  }
+}
+
+// Events are located; steps meet an impact of 4 m/s one step of 10 ms sooner or later; micro-collisions slip
+// by some micrometres while they hold what came to rest; penalty's impacts take a time that follows from the
+// mass.
+INSTANTIATE_TEST_SUITE_P(Schemes, HeldBodies,
+                         testing::Values(Promise{Scheme::event_driven, 1e-8, 8},
+                                         Promise{Scheme::hybrid, 1e-8, 8},
+                                         Promise{Scheme::time_stepping, 0.08, 8},
+                                         Promise{Scheme::impulse_based, 1e-4, 8},
+                                         Promise{Scheme::penalty, 2e-3, 2}));
+
+}  // namespace
+}  // namespace rigor::held_bodies_test
