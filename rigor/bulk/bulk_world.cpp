@@ -29,6 +29,10 @@ constexpr double margin_steps = 2;
 /// of parts is known up to its rounding.
 constexpr double most_parts_of_driven = 4096, most_parts = 1024, part_rounding = 1e-9;
 
+/// Largest product of a substep and the frequency of what joints hold taut, by its bound: explicit steps of a
+/// vibration gain energy without bound beyond 2. No part is shorter for that than this share of a step.
+constexpr double most_taut = 1, most_parts_of_taut = 16;
+
 }  // namespace
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
@@ -168,26 +172,31 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   find_contacts(h);
   const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
   const double least = h / (s.passing.has_driven() ? most_parts_of_driven : most_parts);
-  BulkStepReport report = is_divided ? step_in_parts(h, whole, least) : take_step(h, whole);
+  std::optional<BulkStepReport> report;
+  if (!is_divided) report = take_step(h, whole, h / most_parts_of_taut);
+  if (!report) report = step_in_parts(h, whole, least, is_divided ? h : shorter_part(h));
   // What was given for this step ends with it.
   s.forces.clear_given();
   s.prescribed.arrive(bodies_);
-  return report;
+  return *report;
 }
 
 /// A step in parts, each with its own contacts and no shorter than `least`. Those of a world with driven
-/// bodies are as long as their neighbours need it then; else they are equal.
-BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
+/// bodies are as long as their neighbours need it then; else they are equal, and at most `longest_taut`, or
+/// shorter from where joints are too taut on.
+BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, double longest_taut) {
   Scratch& s = *scratch_;
   BulkStepReport report;
   report.parts = 0;
   ManifoldMemories before = memory_;
   double left = h, last = h, parts_left = 0;
+  bool is_first = true, is_refused = true;
   while (left > 0) {
     // What is left is divided evenly, so that no part is a splinter.
-    if (report.parts == 0 || s.passing.has_driven()) {
-      if (report.parts > 0) find_contacts(left);
-      const double longest = std::max(least, s.passing.longest_part(bodies_, s.pairs, left));
+    if (is_refused || s.passing.has_driven()) {
+      if (!is_first) find_contacts(left);
+      const double longest =
+          std::max(least, std::min(longest_taut, s.passing.longest_part(bodies_, s.pairs, left)));
       parts_left = std::ceil((1 - part_rounding) * left / longest);
     }
     const double part = left / parts_left;
@@ -196,8 +205,16 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
     // Forces of the part before acted for a longer or shorter time; strikes did not.
     memory_ = memory_.scaled_since(before, static_cast<float>(part / last));
     before = memory_;
-    report.add(take_step(part, whole * (part / h)));
     last = part;
+    is_first = false;
+    const std::optional<BulkStepReport> taken = take_step(part, whole * (part / h), h / most_parts_of_taut);
+    is_refused = !taken;
+    if (is_refused) {
+      longest_taut = shorter_part(part);
+      s.prescribed.place(*model_, t_, left, left, bodies_);
+      continue;
+    }
+    report.add(*taken);
     left = parts_left > 1 ? left - part : 0;
     --parts_left;
     if (left == 0 || !s.passing.is_finite()) break;
@@ -209,10 +226,24 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least) {
   return report;
 }
 
-/// Takes a step with the pairs and manifolds that were found for it.
-BulkStepReport BulkWorld::take_step(double h, double whole) {
+/// Whether the vibrations that joints have held in substeps of a step of h are too fast for these.
+bool BulkWorld::is_too_taut(double h) const {
+  return scratch_->vibration * h > most_taut * settings_.substeps;
+}
+
+/// A part that resolves what was too taut in a step of h, if it vibrates there as fast.
+double BulkWorld::shorter_part(double h) const {
+  constexpr double least_share = 0.125, most_share = 0.5;
+  const double share = most_taut * settings_.substeps / (scratch_->vibration * h);
+  return h * std::clamp(share, least_share, most_share);
+}
+
+std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double least) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
+  const bool may_be_refused = s.joints->has_loops() && h > least;
+  s.vibration = 0;
+  if (may_be_refused) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.passing.begin(bodies_, h);
   s.energy_bound.begin(bodies_, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
@@ -242,6 +273,11 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
+    s.vibration = std::max(s.vibration, s.joints->fastest_vibration());
+    if (may_be_refused && is_too_taut(h)) {
+      std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
+      return std::nullopt;
+    }
     s.passing.note(bodies_, s.outside_chains);
     s.contacts.add_up(s.executor);
   }

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -104,8 +105,12 @@ class BulkWorld {
  private:
   struct Scratch;
   void forget_contacts_of_changed();
-  BulkStepReport step_in_parts(double h, double whole, double least);
-  BulkStepReport take_step(double h, double whole);
+  BulkStepReport step_in_parts(double h, double whole, double least, double longest_taut);
+  /// Takes a step with the pairs and manifolds that were found for it. Where its substeps do not resolve what
+  /// joints hold taut and it is longer than `least`, it is taken back, and nothing is returned.
+  std::optional<BulkStepReport> take_step(double h, double whole, double least);
+  bool is_too_taut(double h) const;
+  double shorter_part(double h) const;
   void stop_passing(double h);
   double pair_margin(double h) const;
   /// Moves the bodies and remembers what goes into the next step, after the velocities are final.

@@ -3,10 +3,12 @@
 #include "rigor/bulk/joints/contact_free_chains.hpp"
 #include "rigor/bulk/joints/joint_block.hpp"
 #include "rigor/bulk/joints/joint_errors.hpp"
+#include "rigor/bulk/joints/joint_tension.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -128,6 +130,20 @@ void BulkJoints::solve(JointPass pass, const Executor& executor) {
       solve_before_displacements(blocks_->effort(), pass == JointPass::places_anew, block);
     }
   });
+}
+
+bool BulkJoints::has_loops() const {
+  return std::any_of(blocks_->blocks.begin(), blocks_->blocks.end(),
+                     [](const BulkJointBlock& block) { return block.lanes.loops != nullptr; });
+}
+
+double BulkJoints::fastest_vibration() const {
+  double square = 0;
+  for (const BulkJointBlock& block : blocks_->blocks) {
+    if (block.lanes.loops && block.is_moving)
+      square = std::max(square, square_of_vibration(blocks_->h, block.lanes));
+  }
+  return std::sqrt(square);
 }
 
 void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const {

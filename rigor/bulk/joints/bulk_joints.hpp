@@ -49,6 +49,11 @@ class BulkJoints {
   void advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
                                    BulkBodies& bodies, const Executor& executor);
   void solve(JointPass pass, const Executor& executor);
+  /// Whether there are systems with loops.
+  bool has_loops() const;
+  /// Bound of the frequencies [rad/s] of the vibrations that the forces of the last substep hold in systems
+  /// with loops: a chain that is taut between two ends swings across itself, which substeps must resolve.
+  double fastest_vibration() const;
   /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
   /// their order, on body B. Joints of bodies that sleep keep what they have there.
   void read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const;

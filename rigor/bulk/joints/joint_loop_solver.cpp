@@ -18,7 +18,7 @@ namespace {
 /// Softness that is added to all rows, as a part of their diagonal element: above what rounding and misfits
 /// of a thousandth of an arm make of directions that loops make redundant (their square), below nearly all
 /// others.
-constexpr double kRedundancy = 1e-5;
+constexpr double kRedundancy = 1e-6;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, kMostJointRows, 6>;
 using Sparse = Eigen::SparseMatrix<double>;

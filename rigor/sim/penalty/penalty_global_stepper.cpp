@@ -54,7 +54,7 @@ VecX GlobalPenaltyStepper::contact_forces() const {
 }
 
 double GlobalPenaltyStepper::end_of_step(double t, double t_end) const {
-  double longest = std::min(t_end - t, touching_.free_time);
+  double longest = std::min({t_end - t, touching_.free_time, longest_taut_step(t)});
   for (std::size_t i = 0; i < touching_.springs.size(); ++i) {
     const Contact& contact = touching_.system.contacts[i];
     const PenaltyContact& spring = touching_.springs[i];

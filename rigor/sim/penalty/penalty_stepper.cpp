@@ -7,6 +7,7 @@
 #include "rigor/dynamics/free_rotation.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/penalty/force_rates.hpp"
+#include "rigor/sim/penalty/joint_tension.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ namespace {
 
 /// Largest product of a sub-step and the rate of the dampers.
 constexpr double damping_share = 1;
+/// Share of 1/ω of a step that resolves what joints hold taut.
+constexpr double taut_share = 0.1;
 /// How far ahead contacts are looked for, in sub-steps.
 constexpr double steps_ahead = 50;
 /// Iterations of the implicit kick; each leaves (h/2) × (rate of the dampers) ≤ 1/2 of the error.
@@ -104,10 +107,19 @@ double PenaltyStepper::horizon(const State& state, double t_end) const {
 
 double PenaltyStepper::end_of_step(double t, double t_end) const {
   const PenaltyRates rates = penalty_rates(touching_.system, touching_.springs, method_.penalty_depth);
-  double longest = std::min(t_end - t, touching_.free_time);
+  double longest = std::min({t_end - t, touching_.free_time, longest_taut_step(t)});
   if (rates.frequency > 0) longest = std::min(longest, step_share / rates.frequency);
   if (rates.damping > 0) longest = std::min(longest, damping_share / rates.damping);
   return equal_part(t, t_end, longest);
+}
+
+double PenaltyStepper::longest_taut_step(double t) const {
+  const ContactSystem& system = touching_.system;
+  if (!system.joints) return std::numeric_limits<double>::infinity();
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
+  add(contact_wrenches(system, penalty_forces(touching_)), wrenches);
+  const VecX of_joints = with_joint_reactions(system, std::move(wrenches)).lambda;
+  return taut_share / tension_frequency(*model_, system, of_joints);
 }
 
 double PenaltyStepper::equal_part(double t, double t_end, double longest) {
@@ -335,6 +347,7 @@ void PenaltyStepper::note_own_work(std::size_t i, const BodyPhase& before, doubl
 /// acts.
 void PenaltyStepper::project_joints(double t) {
   const std::vector<int>& bodies = contacts_.dynamic_bodies();
+  touching_.system.joints.reset();  // Those of where the bodies were: the assembler may use their room again.
   const Cluster before{.t = t, .bodies = bodies, .phases = phases_};
   joints_.project_positions(t, bodies, phases_, report_);
   for (const Cluster& group : connected_parts(before, {}, environment_)) {

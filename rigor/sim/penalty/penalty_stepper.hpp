@@ -55,6 +55,8 @@ class PenaltyStepper : public FixedStepStepper {
   /// Forces of contacts in kicks [N].
   virtual VecX contact_forces() const;
 
+  /// The longest step that resolves the vibrations of what joints hold taut, by their forces at t [s].
+  double longest_taut_step(double t) const;
   /// End of the first of the fewest equal parts from t to t_end that are not longer than this.
   static double equal_part(double t, double t_end, double longest);
   /// The impulses over h of all forces at the velocities of the contacts. rate_errors: of the joints at the

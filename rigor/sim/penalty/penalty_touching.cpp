@@ -178,7 +178,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag, c
   }
 
   // Active contacts, and how long the others leave the bodies free.
-  const ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
+  ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
@@ -188,9 +188,12 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag, c
     if (overlaps || !asks_for_steps(all.contacts[i], approach)) continue;
     touching.free_time = std::min(touching.free_time, time_to_touch(all, i, approach, lag));
   }
-  touching.system = active.size() == all.contacts.size()
-                        ? all
-                        : assembler_.assemble(state.t, bodies_, now, std::move(active));
+  if (active.size() == all.contacts.size()) {
+    touching.system = std::move(all);
+  } else {
+    all.joints.reset();
+    touching.system = assembler_.assemble(state.t, bodies_, now, std::move(active));
+  }
   add_springs(state, touching, before);
   // Contacts that part or harden end the step, too.
   const VecX u_active = relative_velocities(touching.system);
@@ -208,7 +211,10 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag, c
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
                                         Touching& touching) const {
   if (touching.system.joints) {
-    touching.system = assembler_.assemble(t, bodies_, phases, touching.system.contacts);
+    // Given back first, the equations of the joints are updated: what is the same at the same poses stays.
+    std::vector<Contact> contacts = std::move(touching.system.contacts);
+    touching.system.joints.reset();
+    touching.system = assembler_.assemble(t, bodies_, phases, std::move(contacts));
     return;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

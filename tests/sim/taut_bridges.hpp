@@ -1,0 +1,47 @@
+#pragma once
+
+#include "random_vectors.hpp"
+#include "sim/time_stepping_scenes.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace rigor::test {
+
+/// A random bridge of 5 to 9 planks in hinges between two walls, with a sag of 0.3 to 3 % of its length.
+inline std::shared_ptr<const Model> taut_bridge(Random& random) {
+  const int count = static_cast<int>(random.uniform(5, 9.999));
+  const double pitch = random.uniform(0.2, 0.6);
+  const double sag = random.uniform(0.003, 0.03) * count * pitch;
+  const auto knot = [&](int i) {
+    const double part = i / static_cast<double>(count);
+    return Vec3(i * pitch, 0, -4 * sag * part * (1 - part));
+  };
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, 0.5, 0});
+  const auto name = [&](int i) { return i < 0 || i >= count ? "world" : "plank" + std::to_string(i); };
+  for (int i = 0; i < count; ++i) {
+    const Vec3 along = knot(i + 1) - knot(i);
+    BodyDescription plank =
+        stepping_body(name(i), Box{Vec3(0.4 * pitch, 0.3, 0.02)}, 0.5 * (knot(i) + knot(i + 1)));
+    plank.mass = random.uniform(2, 20);
+    plank.q_WU = Eigen::AngleAxisd(std::atan2(-along.z(), along.x()), Vec3::UnitY());
+    builder.add_body(plank);
+  }
+  for (int i = 0; i <= count; ++i) {
+    ModelBuilder::JointDescription hinge;
+    hinge.name = "hinge" + std::to_string(i);
+    hinge.type = JointType::hinge;
+    hinge.bodies = {name(i - 1), name(i)};
+    hinge.anchors = {knot(i)};
+    hinge.axis = Vec3::UnitY();
+    builder.add_joint(hinge);
+  }
+  return builder.build();
+}
+
+}  // namespace rigor::test
