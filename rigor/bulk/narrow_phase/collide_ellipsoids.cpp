@@ -247,6 +247,13 @@ std::optional<SmoothTouch> touch_ellipsoids(const EllipsoidCore& a, const Ellips
   return touch_of(*best);
 }
 
+std::optional<SmoothTouch> touch_point_near(const EllipsoidCore& own, const Vec3f& q, const Vec3f& guess) {
+  const float rounding = kCollisionRounding * (own.extent + (q - own.center).norm());
+  const std::optional<Trial> best = part_best(own, {nullptr, q}, guess, rounding);
+  if (!best) return std::nullopt;
+  return touch_of(*best);
+}
+
 std::optional<SmoothTouch> touch_polytope(const EllipsoidCore& own, const PlacedPolytope& other,
                                           float limit) {
   const float rounding =

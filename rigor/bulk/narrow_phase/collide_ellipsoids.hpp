@@ -33,5 +33,8 @@ struct SmoothTouch {
 std::optional<SmoothTouch> touch_ellipsoids(const EllipsoidCore& a, const EllipsoidCore& b, float limit);
 /// Of an ellipsoid and a point, a segment, a box or a hull (without its radius).
 std::optional<SmoothTouch> touch_polytope(const EllipsoidCore& own, const PlacedPolytope& other, float limit);
+/// Of an ellipsoid and a point: where the search from the guess (unit, from the ellipsoid to the point) comes
+/// to rest, however deep that is.
+std::optional<SmoothTouch> touch_point_near(const EllipsoidCore& own, const Vec3f& q, const Vec3f& guess);
 
 }  // namespace rigor

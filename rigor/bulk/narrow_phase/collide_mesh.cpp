@@ -29,25 +29,64 @@ float MeshMeeting::preference(float gap) const {
 }
 
 void MeshMeeting::place_core(const MeshView& view, const BulkShape& core, const PlacedShape& placed) {
-  PlacedPolytope& b = pair_.b;
   const Mat3f R = view.R_MW * placed.rotation();
-  place_polytope(core, {R * core.scale.asDiagonal(), R, view.R_MW * placed.position()}, b);
-  b.center = middle_of(b);
-  thinnest_ = core.inner_radius();
-  reach_ = b.place.t.norm() + core.extent;
+  const Vec3f p = view.R_MW * placed.position();
+  if (core.hull != nullptr) {
+    smooth_.reset();
+    place_polytope(core, {R * core.scale.asDiagonal(), R, p}, pair_.b);
+    center_ = pair_.b.center = middle_of(pair_.b);
+    thinnest_ = core.inner_radius();
+  } else {
+    PlacedShape placed_M = placed;
+    Eigen::Map<Mat3f>(placed_M.R) = R;
+    for (int k = 0; k < 3; ++k) placed_M.p[k] = p[k];
+    smooth_.emplace().place(core, placed_M, Vec3f::Zero());
+    center_ = smooth_->middle();
+    thinnest_ = smooth_->inner_radius();
+  }
+  radius_ = core.radius;
+  extent_ = core.extent + (center_ - p).norm();
+  reach_ = p.norm() + core.extent;
   rounding_ = kCollisionRounding * (core.extent + reach_);
   equal_depth_ = rounding_ + kEqualDepthOfSize * thinnest_;
 }
 
+/// The box about the core without its radius.
+void MeshMeeting::find_box(Vec3f& lower, Vec3f& upper) const {
+  if (smooth_) {
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = smooth_->farthest(-Vec3f::Unit(k))[k];
+      upper[k] = smooth_->farthest(Vec3f::Unit(k))[k];
+    }
+    return;
+  }
+  const LaneColumns v = pair_.b.vertices();
+  const auto x = column(v.x, v.count), y = column(v.y, v.count), z = column(v.z, v.count);
+  lower = Vec3f(x.minCoeff(), y.minCoeff(), z.minCoeff());
+  upper = Vec3f(x.maxCoeff(), y.maxCoeff(), z.maxCoeff());
+}
+
+/// The core's lowest point over the facet, which is so far against its normal.
+float MeshMeeting::find_lowest(Facet& facet) const {
+  if (smooth_) {
+    facet.lowest_point = smooth_->farthest(-facet.n);
+    return -facet.n.dot(facet.lowest_point);
+  }
+  const Support support = find_support(pair_.b.vertices(), -facet.n, best_lane_target());
+  facet.lowest = support.index;
+  facet.lowest_point = pair_.b.vertex(facet.lowest);
+  return support.height;
+}
+
 /// The triangles whose boxes meet that of the core, with the core's heights over them.
 void MeshMeeting::list_facets(const MeshView& view) {
-  const LaneColumns v = pair_.b.vertices();
   // The box of the core, as the tree has its boxes: from the mesh's origin. What is rounded is added.
-  const auto x = column(v.x, v.count), y = column(v.y, v.count), z = column(v.z, v.count);
+  Vec3f lower, upper;
+  find_box(lower, upper);
   const Vec3f center = view.c_M.cast<float>();
   const float grown = limit_ + 4 * kCollisionRounding * (reach_ + center.lpNorm<1>());
-  const Vec3f lower = center + Vec3f(x.minCoeff() - grown, y.minCoeff() - grown, z.minCoeff() - grown),
-              upper = center + Vec3f(x.maxCoeff() + grown, y.maxCoeff() + grown, z.maxCoeff() + grown);
+  lower = center + (lower - Vec3f::Constant(grown));
+  upper = center + (upper + Vec3f::Constant(grown));
   view.mesh->list_near(lower, upper, stack_, near_);
   facets_.clear();
   may_be_inside_ = near_.empty() && view.mesh->is_closed;
@@ -56,17 +95,15 @@ void MeshMeeting::list_facets(const MeshView& view) {
     // Heights over the plane are counted in 64 bits at the centre of the body.
     const Vec3f n = triangle.n.cast<float>();
     const float height = static_cast<float>(triangle.n.dot(view.c_M) - triangle.offset);
-    const bool is_behind = height + n.dot(pair_.b.center) < 0;
+    const bool is_behind = height + n.dot(center_) < 0;
     const bool is_turned = is_behind && !view.mesh->is_closed;
     may_be_inside_ |= is_behind && view.mesh->is_closed;
     // Sheets have two sides, so that a triangle of an open mesh faces the core; one of a closed mesh turns
     // its back to it.
-    Facet facet{t, is_behind && !is_turned, is_turned ? Vec3f(-n) : n, {}, 0, 0, kFar};
+    Facet facet{t, is_behind && !is_turned, is_turned ? Vec3f(-n) : n, {}, 0, 0, Vec3f::Zero(), kFar};
     for (std::size_t k = 0; k < 3; ++k) facet.corners[k] = point(view, triangle.vertices[k]);
-    // The lowest vertex of the core over the plane tells by how much the plane separates.
-    const Support support = find_support(v, -facet.n, best_lane_target());
-    facet.lowest = support.index;
-    facet.separation = (is_turned ? -height : height) - support.height;
+    // The lowest point of the core over the plane tells by how much the plane separates.
+    facet.separation = (is_turned ? -height : height) - find_lowest(facet);
     facets_.push_back(facet);
   }
 }
@@ -113,7 +150,7 @@ float MeshMeeting::bound_of(const MeshView& view, const Facet& facet) const {
   // The same of edges, which count with the core's own radius.
   for (std::size_t k = 0; k < ridge_count_; ++k) {
     const Ridge& ridge = ridges_[k];
-    bound = std::max(bound, ridge.gap + pair_.b.radius - height_above(facet, ridge.n, ridge.top));
+    bound = std::max(bound, ridge.gap + radius_ - height_above(facet, ridge.n, ridge.top));
   }
   return bound;
 }
@@ -170,11 +207,11 @@ void MeshMeeting::add_ridges(const MeshView& view) {
 /// Whether a direction between the normals of a facet and of the one across its edge may separate the core
 /// from the edge by more than the facet's does. `outward` is along the facet, across the edge, away from it.
 ///
-/// The lowest vertex v lies within the facet by w. Along the direction at the angle θ from the normal it is
+/// The lowest point v lies within the facet by w. Along the direction at the angle θ from the normal it is
 /// at s cos θ - w sin θ over the edge, which is no more than s if s >= 0, or else if tan(θ/2) <= w / |s|.
 bool MeshMeeting::may_part_better(const Facet& own, const Facet* other, const Vec3f& from,
                                   const Vec3f& outward) const {
-  const float inside = -outward.dot(pair_.b.vertex(own.lowest) - from) / outward.norm();
+  const float inside = -outward.dot(own.lowest_point - from) / outward.norm();
   const float tangent = other == nullptr ? 1 : own.n.cross(other->n).norm() / (1 + own.n.dot(other->n));
   return !(inside >= std::max(-own.separation, 0.0f) * tangent + 4 * rounding_);
 }
@@ -210,6 +247,8 @@ void MeshMeeting::find(const MeshView& view, const BulkShape& core, const Placed
   limit_ = margin + core.radius;
   segment_ = &segment;
   group_count_ = 0;
+  is_clear_ = true;
+  blocked_ = 0;
   place_core(view, core, placed);
   list_facets(view);
   if (facets_.empty()) return;
@@ -217,6 +256,13 @@ void MeshMeeting::find(const MeshView& view, const BulkShape& core, const Placed
   for (Facet& facet : facets_)
     if (!facet.is_back && facet.separation <= limit_) add_face(view, facet);
   add_explained_ridges();
+  // A vertex or an edge of the surface may be deeper in the core than all contacts say.
+  if (blocked_ < 0) {
+    float least = 0;
+    for (std::size_t k = 0; k < group_count_; ++k)
+      for (const ManifoldCandidate& candidate : groups_[k].candidates) least = std::min(least, candidate.gap);
+    is_clear_ &= least <= blocked_ + preference(blocked_);
+  }
   // Manifolds are matched by their part of the mesh, so that their order must not depend on the order of
   // facets.
   std::sort(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(group_count_),

@@ -167,14 +167,30 @@ float RingCore::reach(const Vec3f& n) const {
          std::max(numbers.z[0] * along + numbers.r[0] * across, numbers.z[1] * along + numbers.r[1] * across);
 }
 
+RingCore::Beside RingCore::beside(const Vec3f& n) const {
+  const float along = n.dot(axis);
+  const Vec3f rough = n - along * axis;
+  // Made square twice: of what is nearly along the axis little but rounding is left.
+  const Vec3f across = rough - rough.dot(axis) * axis;
+  const float length = across.norm();
+  return {along, length, length > 1e-6f ? Vec3f(across / length) : x};
+}
+
+Vec3f RingCore::farthest(const Vec3f& n) const {
+  const auto [along, across, u] = beside(n);
+  const bool is_upper =
+      numbers.z[1] * along + numbers.r[1] * across > numbers.z[0] * along + numbers.r[0] * across;
+  const std::size_t i = is_upper ? 1 : 0;
+  return center + numbers.z[i] * axis + numbers.r[i] * u;
+}
+
 ShownSide RingCore::shown_side(const Vec3f& m, bool with_cap) const {
   constexpr float straight = 1e-4f;  // Rounding of directions, and some room.
   constexpr float least_tilt = 1e-4f;
   ShownSide side;
-  const float along = m.dot(axis);
-  const Vec3f beside = m - along * axis;
-  const float across = beside.norm();
-  const Vec3f u = across > 1e-6f ? Vec3f(beside / across) : x;
+  const Beside place = beside(m);
+  const float along = place.along, across = place.across;
+  const Vec3f& u = place.u;
   const auto on_ring = [&](int i) { return Vec3f(center + numbers.z[i] * axis + numbers.r[i] * u); };
   // The circle that reaches farther has the lowest point.
   const int i = numbers.z[1] * along + numbers.r[1] * across > numbers.z[0] * along + numbers.r[0] * across;

@@ -18,8 +18,16 @@ struct RingCore {
   float inner;       ///< Radius of a ball inside the core, which is at the height `ball` on the axis and can
   float ball, ball_shift, ball_across;  ///< be moved along the axis and across it by so much [m].
 
+  /// A unit vector along the axis and across it.
+  struct Beside {
+    float along, across;
+    Vec3f u;  ///< Unit, across the axis; any where n is along it.
+  };
+  Beside beside(const Vec3f& n) const;
   /// How far the core reaches along n, from O.
   float reach(const Vec3f& n) const;
+  /// Its point that is farthest along the unit vector n.
+  Vec3f farthest(const Vec3f& n) const;
   /// What it shows along m; a cap only if it is asked for.
   ShownSide shown_side(const Vec3f& m, bool with_cap) const;
   /// The centre of the ball inside that is nearest to a point.

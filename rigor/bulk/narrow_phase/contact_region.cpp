@@ -186,8 +186,8 @@ bool add_side_by_side(const SidePair& pair, std::vector<ManifoldCandidate>& cand
 }
 
 /// How far below p, along the unit vector `up`, the round side is that shows the segment, grown by `radius`
-/// [m]. Nothing where p is beyond its circles, or nearer to its border than half of its radius, where it is
-/// steep.
+/// [m]. Nothing where it has no radius, where p is beyond its circles, or nearer to its border than half of
+/// its radius, where it is steep.
 std::optional<float> height_over_side(const ShownSide& side, float radius, const Vec3f& p, const Vec3f& up) {
   constexpr float least_square = 0.5f;  // Of the cosine of the slope.
   const Vec3f w = p - side.center;
@@ -201,7 +201,7 @@ std::optional<float> height_over_side(const ShownSide& side, float radius, const
   // The quadratic equation a t² - 2 b t + ... = 0 of the nearer one of the two heights.
   const float a = nn - slope * slope * c * c, b = across.dot(n) - slope * c * R,
               square = b * b - a * (across.squaredNorm() - R * R);
-  if (!(a > 0) || !(square > least_square * nn * R * R)) return std::nullopt;
+  if (!(R > 0) || !(a > 0) || !(square > least_square * nn * R * R)) return std::nullopt;
   // It must be on the frustum between its circles.
   const float t = (b - std::sqrt(square)) / a, below = z - t * c;
   if (!(below >= 0 && below <= length)) return std::nullopt;

@@ -1,6 +1,7 @@
 // The contacts of a core over one triangle of a mesh, and at one edge between two.
 
 #include "rigor/bulk/narrow_phase/collide_mesh.hpp"
+#include "rigor/bulk/narrow_phase/mesh_names.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -12,53 +13,6 @@
 namespace rigor {
 
 namespace {
-
-/// A 30-bit name of two features (Knuth's multiplicative hashing); the highest two bits say of which kind.
-std::uint32_t name_of_two(int first, int second) {
-  const std::uint64_t both =
-      std::uint64_t{static_cast<std::uint32_t>(first)} << 32 | static_cast<std::uint32_t>(second);
-  return static_cast<std::uint32_t>((both * 0x9e3779b97f4a7c15ULL) >> 34);
-}
-
-/// The number of an edge: that of its lower half.
-int edge_number(const FloatMesh& mesh, int triangle, int side) {
-  const FloatMesh::Triangle& own = mesh.triangles[at(triangle)];
-  const int across = own.neighbour[at(side)];
-  if (across < 0 || across > triangle) return 3 * triangle + side;
-  const FloatMesh::Triangle& other = mesh.triangles[at(across)];
-  int k = 0;
-  while (k < 2 && other.neighbour[at(k)] != triangle) ++k;
-  return 3 * across + k;
-}
-
-/// A triangle as an outline that is counter-clockwise about its normal towards the core.
-struct TriangleOutline {
-  float x[3], y[3], z[3];
-  int corners[3] = {0, 1, 2};
-  bool is_turned;
-  std::array<std::size_t, 3> order;  ///< Which corner of the triangle is which of the outline.
-
-  TriangleOutline(const Vec3f* p, bool turned)
-      : is_turned(turned),
-        order{0, turned ? std::size_t{2} : std::size_t{1}, turned ? std::size_t{1} : std::size_t{2}} {
-    for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = p[order[k]].x();
-      y[k] = p[order[k]].y();
-      z[k] = p[order[k]].z();
-    }
-  }
-  Vec3f corner(std::size_t k) const { return Vec3f(x[k], y[k], z[k]); }
-  /// The side of the triangle that is this one of the outline.
-  int side(std::size_t border) const {
-    return is_turned ? 2 - static_cast<int>(border) : static_cast<int>(border);
-  }
-  float size() const {
-    float most = 0;
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, corner(k).lpNorm<Eigen::Infinity>());
-    return most;
-  }
-  FaceOutline outline() const { return {LaneColumns{x, y, z, 3}, corners, 3}; }
-};
 
 /// A face of the core, or all of it if it is a point or a segment, with the edges that are its sides.
 struct CoreOutline {
@@ -90,11 +44,11 @@ struct CoreOutline {
 /// Adds the region in which the core lies over the triangle, if there is one.
 void MeshMeeting::add_face(const MeshView& view, Facet& facet) {
   const FloatMesh::Triangle& triangle = view.mesh->triangles[at(facet.triangle)];
-  find_region(view, triangle, facet);
+  smooth_ ? find_smooth_region(view, triangle, facet) : find_region(view, triangle, facet);
   if (found_.empty()) return;
   // A triangle that something else separates from the core by the margin is not touched, and what is deeper
   // than it can be left is not the triangle's.
-  const float bound = std::max(bound_of(view, facet), part_from(facet)), gap = bound - pair_.b.radius;
+  const float bound = std::max(bound_of(view, facet), part_from(facet)), gap = bound - radius_;
   if (bound > limit_ || facet.separation < bound - std::max(preference(gap), margin_)) return;
   const float deepest = std::min(gap, 0.0f) - preference(gap) - 4 * rounding_;
   std::erase_if(found_, [&](const ManifoldCandidate& candidate) { return candidate.gap < deepest; });
@@ -111,6 +65,11 @@ float MeshMeeting::part_from(const Facet& facet) const {
   const auto is_deep = [&](const ManifoldCandidate& each) { return each.gap < -preference(each.gap); };
   if (std::none_of(found_.begin(), found_.end(), is_deep)) return -far;
   float most = -far;
+  if (smooth_) {
+    const Vec3f& q = facet.corners[0];
+    most = smooth_->separation_from(facet.corners, (q + facet.corners[1] + facet.corners[2]) / 3);
+    return most > 0 ? most : -far;
+  }
   for (int f = 0; f < static_cast<int>(core.hull->face_count); ++f) {
     const Vec3f m = core.normal(f), p = core.vertex(core.hull->border_vertices(f)[0]);
     float least = far;
@@ -133,7 +92,7 @@ void MeshMeeting::find_region(const MeshView& view, const FloatMesh::Triangle& t
   meet_outlines(own.outline(), n, over.outline, 4 * (rounding_ + kCollisionRounding * own.size()), meeting_);
 
   // Heights over the plane are relative to that of the lowest vertex, which is known to more digits.
-  const Vec3f lowest = core.vertex(facet.lowest);
+  const Vec3f& lowest = facet.lowest_point;
   const auto height_of = [&](const Vec3f& p) { return facet.separation + n.dot(p - lowest); };
   const auto add_point = [&](const Vec3f& p, float height, std::uint32_t feature) {
     const float gap = height - core.radius;
@@ -145,7 +104,7 @@ void MeshMeeting::find_region(const MeshView& view, const FloatMesh::Triangle& t
   }
   // Crossings of the border count where it is an edge of the surface.
   for (const auto& [border, side] : meeting_.crossings) {
-    const int k = own.side(border);
+    const int k = own.sides[border];
     if (triangle.side[at(k)] == MeshEdgeKind::flat) continue;
     // Where the core's side crosses the line of the border, by its ends' distances from it.
     const Vec3f c = own.corner(border), inward = n.cross(own.corner((border + 1) % 3) - c);
@@ -192,6 +151,7 @@ bool MeshMeeting::find_on_segment(const MeshView& view, const Vec3f& to, int tri
                       edge_number(*view.mesh, triangle, side), begin <= 0 ? ridge.ends[0] : -1,
                       end >= 1 ? ridge.ends[1] : -1};
   ridge.part = static_cast<int>(view.mesh->triangles.size()) + part.number;
+  if (smooth_) return touch_smooth(view, part, ridge);
   const bool is_round = pair_.b.hull->face_count == 0;
   // Round cores have nearest points in closed form, others need the axes of all pairs of edges.
   const std::optional<int> vertex = is_round ? touch_round(part, ridge) : touch_polytope(view, part, ridge);

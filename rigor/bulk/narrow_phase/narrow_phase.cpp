@@ -77,6 +77,10 @@ bool are_ellipsoid_pair(const PlacedForm& a, const PlacedForm& b) {
              has_B = bool(b.is_ellipsoid | b.has_core | b.has_rings);
   return bool(a.is_ellipsoid | b.is_ellipsoid) & has_A & has_B;
 }
+/// Whether one of two shapes is a mesh, and the other is treated against it in 32 bits.
+bool is_on_mesh(const PlacedForm& a, const PlacedForm& b) {
+  return bool((a.kind == Kind::mesh) & b.is_convex()) | bool((b.kind == Kind::mesh) & a.is_convex());
+}
 SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
   return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
 }
@@ -116,8 +120,7 @@ struct NarrowPhase::Tables {
 
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = shapes.of(pair.body_A, pair.shape_A), &b = shapes.of(pair.body_B, pair.shape_B);
-  const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
-  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) || is_on_mesh || are_ring_pair(a, b) ||
+  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) || is_on_mesh(a, b) || are_ring_pair(a, b) ||
          are_ellipsoid_pair(a, b);
 }
 
@@ -144,8 +147,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   const BulkShape &a = form(place.a), &b = form(place.b);
   const PlacedShape &placed_A = place_of(place.a), &placed_B = place_of(place.b);
   const auto is_exact = [](Kind kind) { return kind == Kind::other || kind == Kind::mesh; };
-  if ((a.kind == Kind::mesh && place.b.has_core) || (b.kind == Kind::mesh && place.a.has_core))
-    return find_mesh(bodies, pair, place, number, scratch.mesh, manifolds);
+  if (is_on_mesh(place.a, place.b)) return find_mesh(bodies, pair, place, number, scratch.mesh, manifolds);
   const bool is_other = is_exact(a.kind) || is_exact(b.kind);
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
   const bool is_ring_pair = are_ring_pair(place.a, place.b),
@@ -179,7 +181,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   add_manifold(n, number, polytopes, manifolds);
 }
 
-/// A mesh, and a shape with a core.
+/// A mesh, and a convex shape.
 void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
                                     int number, MeshMeeting& meeting, ManifoldList& manifolds) {
   const bool mesh_is_A = place.a.kind == Kind::mesh;
@@ -192,6 +194,13 @@ void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& p
   const Vec3 d = bodies.x[at(core_body)] - bodies.x[at(mesh_body)];
   const MeshView view{mesh.mesh.get(), X_OM.R.transpose().cast<float>(), X_OM.R.transpose() * (d - X_OM.p)};
   meeting.find(view, core, placed_core, pair.margin, *shapes.hulls().segment);
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+  const auto add_exactly = [&] {
+    add_exact_manifolds(*a.shape, pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero()), *b.shape,
+                        pose_of(b, bodies.q[at(pair.body_B)], p_OB), pair.margin, number, manifolds);
+  };
+  if (!meeting.is_clear()) return add_exactly();
   // From the frame of the mesh to W's axes, relative to body A.
   const Mat3f R_WM = view.R_MW.transpose();
   const Vec3f shift = mesh_is_A ? d.cast<float>() : Vec3f(Vec3f::Zero());
@@ -207,10 +216,7 @@ void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& p
   if (meeting.count() > 0 || !meeting.may_be_inside() ||
       !is_inside(std::get<Mesh>(*mesh.shape), view.c_M, *place.hint))
     return;
-  const BulkShape &a = form(place.a), &b = form(place.b);
-  const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
-  add_exact_manifolds(*a.shape, pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero()), *b.shape,
-                      pose_of(b, bodies.q[at(pair.body_B)], p_OB), pair.margin, number, manifolds);
+  add_exactly();
 }
 
 void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,

@@ -20,6 +20,9 @@ struct PlacedForm {
   BulkShape::Kind kind;
   bool is_ball;
   bool has_core, has_faces, has_rings, is_ellipsoid;
+
+  /// Whether meshes touch it in 32 bits: it has a core, with vertices or without.
+  bool is_convex() const { return has_core | has_rings | is_ellipsoid; }
 };
 
 /// The forms of all shapes, which bodies that share their shapes share, and where each shape is in its body's

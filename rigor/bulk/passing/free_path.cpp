@@ -1,13 +1,22 @@
 #include "rigor/bulk/passing/free_path.hpp"
 
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/convex/simplex.hpp"
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
 #include "rigor/geometry/motion/mesh_convex_advance.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/geometry/shape/convex_core.hpp"
 #include "rigor/geometry/shape/support.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <variant>
@@ -28,6 +37,13 @@ bool is_mesh(const Shape& shape) {
   return std::holds_alternative<Mesh>(shape);
 }
 
+/// Thickness of the thinner one. A sheet has none, but holds what touches it on the side on which its middle
+/// is: of it the other's counts [m].
+double thinner_of(const ShapePath& A, const ShapePath& B) {
+  if (A.thickness == 0 || B.thickness == 0) return std::max(A.thickness, B.thickness);
+  return std::min(A.thickness, B.thickness);
+}
+
 constexpr double deeper_share = 0.01;  ///< What is deep already may become deeper by this share.
 
 /// What is known of two shapes where the first leg begins.
@@ -36,45 +52,133 @@ struct Beginning {
   bool overlap = false;
 };
 
-/// Whether a plane parts two shapes all along their ways, as far as they may overlap: it is seen without
-/// their distance. Tried are planes across the line of their centres, and along the faces of boxes.
-class PartingPlane {
+/// Where two shapes are at the beginning and at the end of their ways. Along a direction the lowest point of
+/// a shape follows its chord but for what its rotation bends the ways of its points: those at the distance r
+/// from the centre, by no more than r θ²/8.
+class BothEnds {
  public:
-  PartingPlane(const ShapePath& A, const ShapePath& B)
-      : A_(A), B_(B), X_WA_(A.X_WB * A.shape->X_BS), X_WB_(B.X_WB * B.shape->X_BS) {
-    // No point of either shape moves farther than this by the rotations of the bodies.
-    turned_ = A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
+  BothEnds(const ShapePath& A, const ShapePath& B)
+      : A_(A), B_(B), X_WA_{A.X_WB * A.shape->X_BS, end_of(A)}, X_WB_{B.X_WB * B.shape->X_BS, end_of(B)} {
+    bend_ = (A.turning * A.dr_W.squaredNorm() + B.turning * B.dr_W.squaredNorm()) / 8;
   }
-  bool is_there(double deepest, double deepest_now) const {
-    if (!is_bounded(A_.shape->shape) || !is_bounded(B_.shape->shape)) return false;
-    const Vec3 between = X_WB_.p - X_WA_.p;
-    // Along n the shapes are as far apart as their centres less their extents; along the way that changes by
-    // the displacements along n and by rotations.
-    const auto parts = [&](const Vec3& n) {
-      const double now = n.dot(between) - support_value(A_.shape->shape, X_WA_.R.transpose() * n) -
-                         support_value(B_.shape->shape, X_WB_.R.transpose() * -n);
-      return now >= deepest_now && now + std::min(0.0, n.dot(B_.dp_W - A_.dp_W)) - turned_ >= deepest;
-    };
-    const double length = between.norm();
-    // The line of the centres first, since it serves balls and whatever is far apart; then the faces that
-    // boxes lie on.
-    if (length > 0 && parts(between / length)) return true;
-    for (const bool is_A : {true, false}) {
-      if (!std::holds_alternative<Box>((is_A ? A_ : B_).shape->shape)) continue;
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 n = (is_A ? X_WA_ : X_WB_).R.col(k);
-        if (parts(n.dot(between) < 0 ? Vec3(-n) : n)) return true;
-      }
-    }
-    return false;
+
+  const Pose& X_WA(std::size_t end) const { return X_WA_[end]; }
+  const Pose& X_WB(std::size_t end) const { return X_WB_[end]; }
+  double bend() const { return bend_; }
+  /// Whether both, which are bounded and convex, are at least `deepest_now` apart along n at the beginning,
+  /// and `deepest` all along.
+  bool parts(const Vec3& n, double deepest, double deepest_now) const {
+    const double now = apart(n, 0);
+    return now >= deepest_now && now - bend_ >= deepest && apart(n, 1) - bend_ >= deepest;
   }
 
  private:
+  static Pose end_of(const ShapePath& path) {
+    return TwistMotion(path.X_WB, path.dp_W, path.dr_W).sample(1).X_WB * path.shape->X_BS;
+  }
+  double apart(const Vec3& n, std::size_t end) const {
+    return n.dot(X_WB_[end].p - X_WA_[end].p) - support_value(A_.shape->shape, X_WA_[end].R.transpose() * n) -
+           support_value(B_.shape->shape, X_WB_[end].R.transpose() * -n);
+  }
+
   const ShapePath& A_;
   const ShapePath& B_;
-  Pose X_WA_, X_WB_;
-  double turned_;
+  std::array<Pose, 2> X_WA_, X_WB_;
+  double bend_;
 };
+
+/// Whether a plane parts two convex shapes all along their ways, as far as they may overlap: it is seen
+/// without their distance. Tried are planes across the line of their centres, and along the faces of boxes.
+bool is_parted_by_plane(const ShapePath& A, const ShapePath& B, double deepest, double deepest_now) {
+  const BothEnds ends(A, B);
+  const Vec3 between = ends.X_WB(0).p - ends.X_WA(0).p;
+  const double length = between.norm();
+  // The line of the centres first, since it serves balls and whatever is far apart; then the faces that boxes
+  // lie on.
+  if (length > 0 && ends.parts(between / length, deepest, deepest_now)) return true;
+  for (const bool is_A : {true, false}) {
+    if (!std::holds_alternative<Box>((is_A ? A : B).shape->shape)) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 n = (is_A ? ends.X_WA(0) : ends.X_WB(0)).R.col(k);
+      if (ends.parts(n.dot(between) < 0 ? Vec3(-n) : n, deepest, deepest_now)) return true;
+    }
+  }
+  return false;
+}
+
+/// The same of a mesh that does not turn and a convex shape: whether each triangle near its way is parted
+/// from it, by its own plane, across the point nearest to the shape's centre, or along their distance at one
+/// of the ends. A closed mesh must have its outside towards the centre where it is nearest, so that the shape
+/// is not inside.
+class MeshPlanes {
+ public:
+  MeshPlanes(const ShapePath& mesh_path, const ShapePath& path)
+      : mesh_(std::get<Mesh>(mesh_path.shape->shape)),
+        shape_(path.shape->shape),
+        still_{mesh_path.shape, mesh_path.X_WB, Vec3::Zero(), Vec3::Zero(), 0, mesh_path.thickness},
+        against_{path.shape, path.X_WB, path.dp_W - mesh_path.dp_W, path.dr_W, path.turning, path.thickness},
+        ends_(still_, against_) {
+    for (std::size_t k = 0; k < 2; ++k) X_MS_[k] = ends_.X_WA(0).inverse() * ends_.X_WB(k);
+  }
+
+  bool part(double deepest, double deepest_now) const {
+    const Aabb box = axis_aligned_box(shape_, X_MS_[0]).united(axis_aligned_box(shape_, X_MS_[1]));
+    const Vec3& c = X_MS_[0].p;
+    double nearest = std::numeric_limits<double>::infinity();
+    bool is_outside = !mesh_.tree->is_closed;
+    for (const int t : mesh_.tree->overlapping(box.grown(ends_.bend()))) {
+      const std::array<int, 3>& vertices = mesh_.mesh->triangles[at(t)];
+      const std::array<Vec3, 3> corners = {corner(vertices[0]), corner(vertices[1]), corner(vertices[2])};
+      const Vec3& outward = mesh_.tree->triangles[at(t)].normal;
+      const bool is_front = outward.dot(c - corners[0]) >= 0;
+      const Vec3 to_nearest =
+          nearest_on_triangle({corners[0] - c, corners[1] - c, corners[2] - c, Vec3::Zero()}, 0, 1, 2).v;
+      const double distance = to_nearest.norm();
+      if (mesh_.tree->is_closed && distance < nearest) is_outside = is_front;
+      nearest = std::min(nearest, distance);
+      const auto is_parted_along = [&](const Vec3& n) { return is_parted(n, corners, deepest, deepest_now); };
+      if (is_parted_along(is_front ? outward : Vec3(-outward))) continue;
+      if (distance > 0 && is_parted_along(-to_nearest / distance)) continue;
+      const auto is_parted_by_distance = [&](const Pose& X_MS) {
+        return is_parted_along(
+            convex_distance(make_points_core(corners), Pose{}, make_core(shape_), X_MS).n_W);
+      };
+      if (!is_parted_by_distance(X_MS_[0]) && !is_parted_by_distance(X_MS_[1])) return false;
+    }
+    return is_outside;
+  }
+
+ private:
+  const Vec3& corner(int v) const { return mesh_.mesh->vertices[at(v)]; }
+  /// Whether the shape stays over what reaches highest along n of a triangle, in the frame of the mesh.
+  bool is_parted(const Vec3& n, const std::array<Vec3, 3>& corners, double deepest,
+                 double deepest_now) const {
+    const double highest = std::max({n.dot(corners[0]), n.dot(corners[1]), n.dot(corners[2])});
+    const auto height = [&](const Pose& X_MS) {
+      return n.dot(X_MS.p) - highest - support_value(shape_, X_MS.R.transpose() * -n);
+    };
+    const double now = height(X_MS_[0]);
+    return now >= deepest_now && now - ends_.bend() >= deepest && height(X_MS_[1]) - ends_.bend() >= deepest;
+  }
+
+  const Mesh& mesh_;
+  const Shape& shape_;
+  ShapePath still_, against_;
+  BothEnds ends_;
+  std::array<Pose, 2> X_MS_;
+};
+
+/// Whether planes show that two shapes stay apart all along their ways, as far as they may overlap.
+bool are_parted(const ShapePath& A, const ShapePath& B, double deepest, double deepest_now) {
+  if (is_bounded(A.shape->shape) && is_bounded(B.shape->shape))
+    return is_parted_by_plane(A, B, deepest, deepest_now);
+  for (const bool is_A : {true, false}) {
+    const ShapePath &mesh = is_A ? A : B, &other = is_A ? B : A;
+    if (is_mesh(mesh.shape->shape) && is_bounded(other.shape->shape) && mesh.dr_W.isZero(0))
+      return MeshPlanes(mesh, other).part(deepest, deepest_now);
+  }
+  return false;
+}
 
 class Walk {
  public:
@@ -83,12 +187,13 @@ class Walk {
         B_(B),
         motion_A_(A.X_WB, A.dp_W, A.dr_W),
         motion_B_(B.X_WB, B.dp_W, B.dr_W),
-        core_A_(make_moving_core(A.shape->shape, A.shape->X_BS, A.shape->radius, motion_A_)),
-        core_B_(make_moving_core(B.shape->shape, B.shape->X_BS, B.shape->radius, motion_B_)),
         has_bound_(is_convex(A.shape->shape) && is_convex(B.shape->shape)),
         is_mesh_and_convex_((is_mesh(A.shape->shape) && is_bounded(B.shape->shape)) ||
                             (is_mesh(B.shape->shape) && is_bounded(A.shape->shape))) {
     length_ = (A.dp_W - B.dp_W).norm() + A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
+    if (!has_bound_) return;
+    core_A_ = make_moving_core(A.shape->shape, A.shape->X_BS, A.shape->radius, motion_A_);
+    core_B_ = make_moving_core(B.shape->shape, B.shape->X_BS, B.shape->radius, motion_B_);
   }
 
   /// They may come as near as -`deep_share` of the thinner one's thickness. `beginning` is found where the
@@ -96,7 +201,7 @@ class Walk {
   double free(double deep_share, std::optional<Beginning>& beginning) const {
     constexpr double unseen_share = 0.5;
     constexpr int most_steps = 1000;
-    const double thinner = std::min(A_.thickness, B_.thickness);
+    const double thinner = thinner_of(A_, B_);
     // Of two convex shapes the thicker one is not skipped either.
     double unseen = unseen_share * thinner;
     if (has_bound_ && std::isfinite(std::max(A_.thickness, B_.thickness)))
@@ -116,7 +221,7 @@ class Walk {
       if (t + step >= 1) return 1;
       // A bound along the direction of the distance allows longer steps.
       if (has_bound_) {
-        const SeparationBound bound(core_A_, core_B_, now.n_W, now.distance, t, 1);
+        const SeparationBound bound(*core_A_, *core_B_, now.n_W, now.distance, t, 1);
         step = std::max(step, bound.safe_step(1 - t, level));
         if (t + step >= 1) return 1;
       } else if (is_mesh_and_convex_) {
@@ -160,7 +265,7 @@ class Walk {
   const ShapePath& A_;
   const ShapePath& B_;
   TwistMotion motion_A_, motion_B_;
-  MovingCore core_A_, core_B_;
+  std::optional<MovingCore> core_A_, core_B_;  ///< If both are convex.
   bool has_bound_, is_mesh_and_convex_;
   double length_;  ///< No point goes farther against the other body [m].
 };
@@ -168,9 +273,9 @@ class Walk {
 /// The part of the way that is free; `beginning` as in Walk.
 double free_part(const ShapePath& A, const ShapePath& B, double deep_share,
                  std::optional<Beginning>& beginning) {
-  const double thinner = std::min(A.thickness, B.thickness);
+  const double thinner = thinner_of(A, B);
   const double deepest = beginning ? beginning->level : -deep_share * thinner;
-  if (PartingPlane(A, B).is_there(deepest, beginning ? deepest : deepest + deeper_share * thinner)) {
+  if (are_parted(A, B, deepest, beginning ? deepest : deepest + deeper_share * thinner)) {
     if (!beginning) beginning = {deepest};
     return 1;
   }

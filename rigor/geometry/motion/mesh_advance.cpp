@@ -20,8 +20,11 @@ namespace {
 /// Upper bound of the speed that the rotation gives to points of the shape, relative to the origin of its
 /// body [m/s].
 double turning_speed(const MovingShape& moving) {
+  // What does not rotate is not asked: the radius of a mesh takes all of its vertices.
+  const double speed = moving.motion->max_angular_speed();
+  if (speed == 0) return 0;
   const double radius = radius_about(*moving.shape, Vec3::Zero());
-  return moving.motion->max_angular_speed() * turning_radius(*moving.shape, moving.X_BS, radius);
+  return speed * turning_radius(*moving.shape, moving.X_BS, radius);
 }
 
 /// The direction perpendicular to edge i of a and edge k of b along which the triangles are farther apart,

@@ -70,6 +70,8 @@ std::optional<ClearPoint> roomiest(const Shape& shape, const Aabb& box) {
   constexpr int lines = 5;
   const Vec3 size = box.upper - box.lower;
   for (int axis = 0; axis < 3; ++axis) {
+    // No way leads through a flat sheet along its plane's normal.
+    if (!(size[axis] > 0)) continue;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int k = 0; k < lines * lines; ++k) {
       // A ray along the axis, from outside of the box.

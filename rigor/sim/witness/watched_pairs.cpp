@@ -25,8 +25,10 @@ Aabb no_box() {
   return {Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
 }
 
-/// Box in W of markers of a body.
+/// Box in W of markers of a body. What has none, as a sheet, is at its body: nothing meets it by them, and
+/// all boxes are finite.
 Aabb box_of(std::span<const Marker> markers, const Pose& X_WB) {
+  if (markers.empty()) return {X_WB.p, X_WB.p};
   Aabb box = no_box();
   for (const Marker& marker : markers) {
     const Vec3 p_W = X_WB * marker.p_B;

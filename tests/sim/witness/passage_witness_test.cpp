@@ -1,6 +1,8 @@
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/math/rotation.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
@@ -58,6 +60,21 @@ TEST(PassageWitness, SaysNothingOfBodiesThatTouchOrPassBeside) {
   EXPECT_EQ(watched(model, still(), {Vec3(1.06, 0, 1), Vec3(1.06, 0, -1), Quat::Identity(), Vec3::Zero()})
                 .passages.instants,
             0);
+}
+
+/// An open sheet has no inside and no marker there.
+TEST(PassageWitness, TakesSheets) {
+  const auto sheet = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}});
+  const auto model = pair_of(make_mesh(sheet), Sphere{0.05});
+  PassageWitness witness(model);
+  State state = make_initial_state(*model);
+  for (const double z : {10.0, 9.0, 1.0, 0.1}) {
+    Vec3::Map(&state.x[3]) = Vec3(0, 0, z);
+    AdvanceReport report;
+    witness.watch(state, report);
+    EXPECT_EQ(report.passages.instants, 0);
+  }
 }
 
 TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
