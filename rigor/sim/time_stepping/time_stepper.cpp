@@ -84,6 +84,8 @@ void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
 Cluster TimeStepper::cluster_in(const State& state) const {
   Cluster cluster;
   cluster.t = state.t;
+  cluster.bodies.reserve(at(model_->body_count()));
+  cluster.phases.reserve(at(model_->body_count()));
   for (int i = 0; i < model_->body_count(); ++i) {
     if (model_->body(i).motion != MotionType::dynamic) continue;
     cluster.bodies.push_back(i);
