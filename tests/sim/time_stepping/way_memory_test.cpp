@@ -40,7 +40,7 @@ TEST(WayMemory, HoldsAsLongAsBothBodiesMoveAlike) {
       }
       if (uniform(generator) > 0.8) h *= 0.5;
       ways.note(struck, end, h);
-      for (const WayMemory::Pair pair : {WayMemory::Pair{0, 1}, {0, 4}, {1, 2}, {1, 5}, {2, 4}, {4, 5}}) {
+      for (const WayMemory::Pair& pair : {WayMemory::Pair{0, 1}, {0, 4}, {1, 2}, {1, 5}, {2, 4}, {4, 5}}) {
         if (uniform(generator) > 0.5) continue;
         const auto find = [&] {
           ++found;
