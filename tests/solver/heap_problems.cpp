@@ -172,7 +172,7 @@ double residual_of(const MotionProblem& problem, const VecX& lambda) {
       contact_rates(problem.rows, node_accelerations(problem.rows, contact_wrenches(problem.rows, lambda))) +
       laws.b;
   const VecX diagonal = contact_diagonal(problem.rows);
-  const double size = std::max(laws.b.cwiseAbs().maxCoeff(), term_sizes(problem.rows, lambda).maxCoeff());
+  const double size = std::max(laws.b.cwiseAbs().maxCoeff(), largest_term(problem.rows, lambda));
   double worst = 0;
   for (std::size_t k = 0; k < laws.mu.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);

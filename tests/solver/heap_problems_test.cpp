@@ -30,7 +30,7 @@ CoulombSolution solve_as_steps_do(const MotionProblem& problem) {
 CoulombSolution solve_by_motion(const MotionProblem& problem) {
   const SparseMotion motion(problem.rows);
   const auto largest = [&](const VecX& lambda) {
-    return std::max(problem.laws.b.cwiseAbs().maxCoeff(), term_sizes(problem.rows, lambda).maxCoeff());
+    return std::max(problem.laws.b.cwiseAbs().maxCoeff(), largest_term(problem.rows, lambda));
   };
   return solve_by_proximal_points(problem.laws, motion, largest, {.enough = kSolved, .gives_best = true})
       .value();

@@ -181,12 +181,17 @@ void AabbTree::refit(int index) {
   node.height = 1 + std::max(left.height, right.height);
 }
 
-/// Brings boxes and heights up to date from the node to the root, and rotates each node on this path.
+/// Brings boxes and heights up to date from the node towards the root, as far as anything changes, and
+/// rotates each node on this path.
 void AabbTree::refit_upwards(int index) {
   while (index >= 0) {
+    const Node& node = nodes_[at(index)];
+    const Aabb box = node.box;
+    const int height = node.height;
     refit(index);
     rotate(index);
-    index = nodes_[at(index)].parent;
+    if (node.height == height && node.box.lower == box.lower && node.box.upper == box.upper) return;
+    index = node.parent;
   }
 }
 

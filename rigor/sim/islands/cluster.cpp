@@ -5,7 +5,6 @@
 #include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -57,26 +56,29 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
     }
   }
 
-  // The bodies of each part, then its contacts, in the order of the cluster.
-  std::map<std::size_t, Cluster> parts;
+  // The bodies of each part, in the order of their first ones, which represent them.
+  std::vector<Cluster> parts;
+  std::vector<std::size_t> part_of(cluster.bodies.size());
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-    Cluster& part = parts[partition.find(i)];
-    part.t = cluster.t;
-    part.slip_tolerance = cluster.slip_tolerance;
-    part.least_impact = cluster.least_impact;
+    const std::size_t first = partition.find(i);
+    if (first == i) {
+      part_of[i] = parts.size();
+      Cluster& part = parts.emplace_back();
+      part.t = cluster.t;
+      part.slip_tolerance = cluster.slip_tolerance;
+      part.least_impact = cluster.least_impact;
+    }
+    Cluster& part = parts[part_of[first]];
     part.bodies.push_back(cluster.bodies[i]);
     part.phases.push_back(cluster.phases[i]);
   }
+
+  // Then its contacts, in the order of the cluster.
   for (const Contact& contact : contacts) {
     const int body = holds(cluster.bodies, contact.body_A) ? contact.body_A : contact.body_B;
-    parts[partition.find(place_of(cluster.bodies, body))].contacts.push_back(contact);
+    parts[part_of[partition.find(place_of(cluster.bodies, body))]].contacts.push_back(contact);
   }
-
-  // In the order of their representatives: the first body of each.
-  std::vector<Cluster> result;
-  result.reserve(parts.size());
-  for (auto& [representative, part] : parts) result.push_back(std::move(part));
-  return result;
+  return parts;
 }
 
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster) {

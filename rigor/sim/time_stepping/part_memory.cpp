@@ -16,10 +16,12 @@ bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>
   });
 }
 
+bool is_same_phase(const BodyPhase& a, const BodyPhase& b) {
+  return a.P == b.P && a.L == b.L && a.x == b.x && a.q.coeffs() == b.q.coeffs();
+}
+
 bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const BodyPhase& x, const BodyPhase& y) {
-    return x.P == y.P && x.L == y.L && x.x == y.x && x.q.coeffs() == y.q.coeffs();
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same_phase);
 }
 
 const MovedPart* PartMemory::find(double h, double theta, const Cluster& part) const {

@@ -24,6 +24,7 @@ struct MovedPart {
 bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>& b);
 
 /// Whether bodies are at the same places with the same momenta, bit for bit.
+bool is_same_phase(const BodyPhase& a, const BodyPhase& b);
 bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b);
 
 /// The parts that the tries of one step have moved. Where tries differ elsewhere only, a part is the same

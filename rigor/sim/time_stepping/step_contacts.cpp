@@ -160,15 +160,23 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
   return is_new;
 }
 
-std::vector<Contact> StepContacts::at(const State& state, const std::vector<Pair>& pairs) const {
+std::vector<StepContacts::Pair> StepContacts::touching_pairs(const State& state) {
+  return finder_.near_pairs(state, std::vector<double>(rigor::at(model_.body_count()), 0.5 * tolerance_));
+}
+
+std::vector<Contact> StepContacts::at_end(const State& end, const std::vector<Pair>& pairs, WayMemory& ways,
+                                          const std::vector<bool>& is_moved) const {
   std::vector<Aabb> boxes;
   boxes.reserve(rigor::at(model_.body_count()));
   for (int i = 0; i < model_.body_count(); ++i)
-    boxes.push_back(body_box(model_, state, i).grown(0.5 * tolerance_));
+    boxes.push_back(body_box(model_, end, i).grown(0.5 * tolerance_));
+  const auto moved = [&](int body) { return !is_moved.empty() && is_moved[rigor::at(body)]; };
   std::vector<Contact> contacts;
   for (const Pair& pair : pairs) {
     if (!boxes[rigor::at(pair.first)].overlaps(boxes[rigor::at(pair.second)])) continue;
-    const std::vector<Contact> found = finder_.find(state, pair, {tolerance_, tolerance_});
+    const auto find = [&] { return finder_.find(end, pair, {tolerance_, tolerance_}); };
+    const std::vector<Contact> found =
+        moved(pair.first) || moved(pair.second) ? find() : ways.contacts_at_end(pair, find);
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   return contacts;

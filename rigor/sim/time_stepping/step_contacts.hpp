@@ -5,6 +5,7 @@
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
 #include "rigor/sim/time_stepping/speculative_contacts.hpp"
+#include "rigor/sim/time_stepping/way_memory.hpp"
 
 #include <array>
 #include <map>
@@ -41,8 +42,12 @@ class StepContacts {
   /// contacts there that were not foreseen: the next try has rows for them.
   bool add_speculative(const State& state, const Cluster& start, const Pair& pair,
                        const std::array<Pose, 2>& poses, double left, SpeculativeContacts& speculative);
-  /// Contacts of these pairs where they are, with gaps up to the contact tolerance.
-  std::vector<Contact> at(const State& state, const std::vector<Pair>& pairs) const;
+  /// The pairs whose boxes are no farther apart than the contact tolerance.
+  std::vector<Pair> touching_pairs(const State& state);
+  /// Contacts of these pairs where they are at the end of a try, with gaps up to the contact tolerance. Of
+  /// bodies that were moved from there since, `is_moved` by body, nothing is remembered.
+  std::vector<Contact> at_end(const State& end, const std::vector<Pair>& pairs, WayMemory& ways,
+                              const std::vector<bool>& is_moved = {}) const;
   /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
   std::vector<Contact> at(const State& state, const std::vector<double>& reaches);
   /// Those among them that touch.

@@ -207,14 +207,14 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
   }
 
   // By sparse rows, else by the Delassus operator: few contacts of jointed bodies are solved more exactly
-  // there, one of them in closed form.
+  // there, and one contact of any bodies in closed form.
   constexpr std::size_t few = 4;
   const bool has_joints =
       system.joints || std::any_of(system.contacts.begin(), system.contacts.end(),
                                    [](const Contact& contact) { return contact.stop.has_value(); });
   if (cone_ == ConeMethod::convex && !has_joints)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
-  const bool is_sparse = !has_joints || system.contacts.size() > few;
+  const bool is_sparse = system.contacts.size() > (has_joints ? few : 1);
   if (cone_ == ConeMethod::exact && resting_.space == RestingSpace::motion && is_sparse) {
     const MotionProblem of_rows{motion_rows(system), problem};
     const CoulombOptions options = options_for(laws.resolution);

@@ -84,6 +84,8 @@ void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
 Cluster TimeStepper::cluster_in(const State& state) const {
   Cluster cluster;
   cluster.t = state.t;
+  cluster.bodies.reserve(at(model_->body_count()));
+  cluster.phases.reserve(at(model_->body_count()));
   for (int i = 0; i < model_->body_count(); ++i) {
     if (model_->body(i).motion != MotionType::dynamic) continue;
     cluster.bodies.push_back(i);
@@ -112,6 +114,7 @@ double TimeStepper::take_step(double h, State& state) {
   moved_.clear();
   impacts_.clear();
   free_motions_.clear();
+  ways_.clear();
   try_work_ = 0;
   contacts_.begin_step(state);
   SpeculativeContacts speculative{h, std::vector<double>(at(model_->body_count()), 0.0)};
@@ -264,6 +267,7 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
 /// What a try shows of the step: bodies that come farther than was thought, pairs that meet on the way, and
 /// pairs that overlap at the end.
 TimeStepper::NextTry TimeStepper::learn(const State& state, SpeculativeContacts& speculative, Trial& trial) {
+  ways_.note(trial.struck, trial.end, trial.h);
   NextTry next_try = learn_from_path(state, trial, speculative);
   trial.is_as_far = trial.reaches == speculative.reaches;
   speculative.reaches = trial.reaches;
@@ -304,11 +308,12 @@ TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Tria
       next_try.until = std::min(next_try.until, is_at_once ? 0.5 * h : meeting);
     }
   };
-  for (const Pair& pair : trial.near.far) learn_from(pair, path.first_meeting(pair));
+  for (const Pair& pair : trial.near.far)
+    learn_from(pair, ways_.meeting(pair, [&] { return path.first_meeting(pair); }));
   for (const Pair& pair : trial.near.watched) {
     const double thin = std::min(contacts_.thickness(pair.first), contacts_.thickness(pair.second));
-    learn_from(pair,
-               path.without_overlap(pair, std::max(method_.contact_tolerance, share_of_thickness * thin)));
+    const double slack = std::max(method_.contact_tolerance, share_of_thickness * thin);
+    learn_from(pair, ways_.clear_until(pair, [&] { return path.without_overlap(pair, slack); }));
   }
   return next_try;
 }
@@ -323,8 +328,8 @@ TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, Speculative
   write(trial.end, end);
   std::map<Pair, double> misjudged;
   // Bodies that came no farther than was thought have come near no others.
-  trial.at_end = trial.is_as_far ? contacts_.at(end, trial.near.pairs)
-                                 : contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0));
+  trial.at_end =
+      contacts_.at_end(end, trial.is_as_far ? trial.near.pairs : contacts_.touching_pairs(end), ways_);
   for (const Contact& contact : *trial.at_end) {
     const double misjudgement = misjudgement_of(contact);
     double& worst = misjudged[{contact.body_A, contact.body_B}];
@@ -380,6 +385,14 @@ void TimeStepper::project_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_velocities(part, report);
 }
 
+/// By body: whether it is elsewhere than it was before.
+std::vector<bool> TimeStepper::moved_since(const Cluster& before, const Cluster& now) const {
+  std::vector<bool> is_moved(at(model_->body_count()), false);
+  for (std::size_t i = 0; i < now.bodies.size(); ++i)
+    is_moved[at(now.bodies[i])] = !is_same_phase(before.phases[i], now.phases[i]);
+  return is_moved;
+}
+
 /// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
 /// does the angular momentum about the origin. Returns the overlap that is left [m].
 double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
@@ -393,13 +406,16 @@ double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   for (int pass = 0;; ++pass) {
     write(end, moved);
     const bool is_known = pass == 0 && trial.at_end;
-    const std::vector<Contact> contacts = is_known ? *trial.at_end : contacts_.at(moved, reaches);
+    std::vector<Contact> contacts =
+        is_known ? *trial.at_end
+                 : contacts_.at_end(moved, contacts_.touching_pairs(moved), ways_, moved_since(before, end));
     double deepest = 0;
     for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
     trial.touching_after = contacts_.touching(contacts);
     if (deepest <= tolerable || pass == most_passes) return deepest;
     largest = std::max(largest, deepest);
     // Nearby bodies may be in the way of what is moved.
+    if (pass > 0) contacts = contacts_.at(moved, reaches);
     for (std::size_t i = 0; i < end.bodies.size(); ++i) {
       const int body = end.bodies[i];
       reaches[at(body)] =

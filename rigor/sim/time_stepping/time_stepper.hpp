@@ -5,6 +5,7 @@
 #include "rigor/sim/time_stepping/impulse_step.hpp"
 #include "rigor/sim/time_stepping/part_memory.hpp"
 #include "rigor/sim/time_stepping/step_contacts.hpp"
+#include "rigor/sim/time_stepping/way_memory.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -79,6 +80,7 @@ class TimeStepper : public FixedStepStepper {
   void project_joints(Cluster& part, AdvanceReport& report) const;
   void admit_overlaps(State& state);
   void admit_velocities(State& state);
+  std::vector<bool> moved_since(const Cluster& before, const Cluster& now) const;
   double correct_overlaps(const State& state, Trial& trial);
   std::set<std::pair<int, int>> lasting_pairs(const Cluster& cluster,
                                               const std::vector<Contact>& touching) const;
@@ -96,7 +98,8 @@ class TimeStepper : public FixedStepStepper {
   StepContacts contacts_;
   PartMemory moved_;               ///< The parts of the tries of one step.
   ImpactMemory impacts_;           ///< Their impacts,
-  FreeMotionMemory free_motions_;  ///< and their motions without contacts.
+  FreeMotionMemory free_motions_;  ///< their motions without contacts,
+  WayMemory ways_;                 ///< and what pairs of bodies meet on their ways.
   Executor executor_;
   std::vector<Contact> touching_;     ///< At the end of the last step,
   std::vector<ContactForce> forces_;  ///< and the forces of that step.

@@ -5,8 +5,11 @@
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace rigor {
 
@@ -23,6 +26,23 @@ double depth_of(const Body& A, const Pose& X_WA, const Body& B, const Pose& X_WB
   return deepest;
 }
 
+/// Whether the body is bounded and made of shapes whose farthest points are soon found.
+bool is_simple(const Body& body) {
+  return std::isfinite(body.bounding_radius) &&
+         std::none_of(body.shapes.begin(), body.shapes.end(),
+                      [](const BodyShape& shape) { return std::holds_alternative<Mesh>(shape.shape); });
+}
+
+/// How far the body reaches along a direction [m], from the origin of W.
+double extent(const Body& body, const Pose& X_WB, const Vec3& n_W) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const BodyShape& shape : body.shapes) {
+    const Pose X_WS = X_WB * shape.X_BS;
+    farthest = std::max(farthest, n_W.dot(X_WS.p) + support_value(shape.shape, X_WS.R.transpose() * n_W));
+  }
+  return farthest;
+}
+
 }  // namespace
 
 TrialPath::TrialPath(const Bodies& bodies, const ToiOptions& options, const Cluster& start,
@@ -34,7 +54,8 @@ TrialPath::TrialPath(const Bodies& bodies, const ToiOptions& options, const Clus
       start_(start),
       end_(end),
       h_(h),
-      motions_(at(bodies.model.body_count())) {}
+      motions_(at(bodies.model.body_count())),
+      arcs_(at(bodies.model.body_count())) {}
 
 const Motion& TrialPath::motion(int i) {
   std::optional<Motion>& known = motions_[at(i)];
@@ -44,35 +65,43 @@ const Motion& TrialPath::motion(int i) {
   const BodyPhase &begin = start_.phase_of(i), &end = end_.phase_of(i);
   const BodyInertia inertia{body.mass, body.moments};
 
-  const FreeFlight flight(inertia, begin, start_.t, environment_.steady_acceleration(i));
-  const BodyPhase free = flight.at(start_.t + h_);
-  if (free.P == end.P && free.L == end.L) return known.emplace(Motion::flight(flight, inertia));
+  // In flight the angular momentum stays: most others need not be compared with the closed form.
+  if (begin.L == end.L) {
+    const FreeFlight flight(inertia, begin, start_.t, environment_.steady_acceleration(i));
+    const BodyPhase free = flight.at(start_.t + h_);
+    if (free.P == end.P && free.L == end.L) return known.emplace(Motion::flight(flight, inertia));
+  }
   return known.emplace(Motion::step(
       quadratic_dense_phase(begin, end, begin.P / body.mass, angular_velocity(inertia, begin.q, begin.L), h_),
       start_.t, h_));
 }
 
-/// The time in which neither body of a pair turns farther than a parabola can follow [s].
-double TrialPath::longest_arc(const Pair& pair) {
+/// The time in which a body turns no farther than a parabola can follow [s].
+double TrialPath::longest_arc(int i) {
   constexpr double most = 1;  // [rad]
+  std::optional<double>& known = arcs_[at(i)];
+  if (known) return *known;
   double longest = h_;
-  for (const int i : {pair.first, pair.second}) {
-    const Body& body = model_.body(i);
-    if (body.motion != MotionType::dynamic || motion(i).is_ballistic()) continue;
+  const Body& body = model_.body(i);
+  if (body.motion == MotionType::dynamic && !motion(i).is_ballistic()) {
     for (const BodyPhase& phase : {start_.phase_of(i), end_.phase_of(i)}) {
       const double speed = angular_velocity(BodyInertia{body.mass, body.moments}, phase.q, phase.L).norm();
       if (speed * longest > most) longest = most / speed;
     }
   }
-  return longest;
+  return known.emplace(longest);
+}
+
+double TrialPath::longest_arc(const Pair& pair) {
+  return std::min(longest_arc(pair.first), longest_arc(pair.second));
 }
 
 std::array<Pose, 2> TrialPath::poses(const Pair& pair, double tau) {
   return {motion(pair.first).sample(start_.t + tau).X_WB, motion(pair.second).sample(start_.t + tau).X_WB};
 }
 
-/// Whether the box of B, moved along all of B's way relative to A and grown by what rotations add, never
-/// comes to the box of A. The centres move along parabolas: relative to each other from d = 0 by v τ + c τ².
+/// Whether some direction shows that B, moved along all of its way relative to A and grown by what rotations
+/// add, never comes to A. The centres move along parabolas: relative to each other from d = 0 by v τ + c τ².
 bool TrialPath::stays_apart(const Pair& pair) {
   const auto [a, b] = pair;
   for (const int i : {a, b})
@@ -89,10 +118,23 @@ bool TrialPath::stays_apart(const Pair& pair) {
     if (const double w = motion(i).max_angular_speed(); w > 0)
       turned += h_ * w * model_.body(i).bounding_radius;
 
+  // The axes of W, for which the boxes are known.
   Aabb moved = boxes_[at(b)];
   moved.lower += along.cwiseMin(0) + bend.cwiseMin(0);
   moved.upper += along.cwiseMax(0) + bend.cwiseMax(0);
-  return !moved.grown(turned).overlaps(boxes_[at(a)]);
+  if (!moved.grown(turned).overlaps(boxes_[at(a)])) return true;
+
+  // From centre to centre.
+  const Body &A = model_.body(a), &B = model_.body(b);
+  if (!is_simple(A) || !is_simple(B)) return false;
+  const Pose X_WA = of_A.sample(t).X_WB, X_WB = of_B.sample(t).X_WB;
+  const Vec3 line = X_WB.p - X_WA.p;
+  const double length = line.norm();
+  if (!(length > 0)) return false;
+  const Vec3 n_W = line / length;
+  return -extent(B, X_WB, -n_W) - extent(A, X_WA, n_W) + std::min(0.0, n_W.dot(along)) +
+             std::min(0.0, n_W.dot(bend)) >
+         turned;
 }
 
 double TrialPath::first_meeting(const Pair& pair) {

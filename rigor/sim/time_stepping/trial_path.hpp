@@ -39,6 +39,7 @@ class TrialPath {
 
  private:
   const Motion& motion(int body);
+  double longest_arc(int body);
   double longest_arc(const Pair& pair);
   bool stays_apart(const Pair& pair);
 
@@ -48,7 +49,8 @@ class TrialPath {
   const ToiOptions& options_;
   const Cluster &start_, &end_;
   double h_;
-  std::vector<std::optional<Motion>> motions_;  ///< By body, made when they are asked for.
+  std::vector<std::optional<Motion>> motions_;  ///< By body, made when they are asked for,
+  std::vector<std::optional<double>> arcs_;     ///< and how long a parabola follows their turns [s].
 };
 
 }  // namespace rigor

@@ -73,7 +73,7 @@ CoulombSolution solve_convex_cones(const CoulombProblem& problem) {
 
 CoulombSolution solve_convex_cones(const MotionProblem& problem) {
   return solve_on(problem.laws, SparseMotion(problem.rows), [&](const VecX& lambda) {
-    return std::max(problem.laws.b.cwiseAbs().maxCoeff(), term_sizes(problem.rows, lambda).maxCoeff());
+    return std::max(problem.laws.b.cwiseAbs().maxCoeff(), largest_term(problem.rows, lambda));
   });
 }
 

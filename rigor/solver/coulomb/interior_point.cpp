@@ -147,7 +147,8 @@ class InteriorPoint {
           contact.from_cone(contact.driven + contact.stiffness * missing);
     }
     motion_.apply_transpose(lambda_, momentum_);
-    motion_.rates(motion_.solve(momentum_), rates_step_);
+    motion_.solve(momentum_, motion_step_);
+    motion_.rates(motion_step_, rates_step_);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
       const Vec3 rate = contact.to_cone(rates_step_.segment<3>(3 * static_cast<Index>(k)));
@@ -196,7 +197,7 @@ class InteriorPoint {
   std::vector<Mat3> D_;  ///< Of the Newton step.
   double speed_ = 0;     ///< Largest of b.
   double energy_ = 0;    ///< speed² times the mean mass.
-  VecX rates_, rates_step_, momentum_, lambda_;
+  VecX rates_, rates_step_, momentum_, motion_step_, lambda_;
 };
 
 }  // namespace

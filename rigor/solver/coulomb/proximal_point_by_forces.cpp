@@ -105,7 +105,7 @@ void SearchByForces::direct(const Iterate& iterate, const Residual& residual, It
   // dv, with its rates and momenta.
   from_->motion.apply_transpose(r_, momentum_);
   momentum_ = iterate.generalised_force - momentum_ - iterate.momentum;
-  step.v = from_->motion.solve(momentum_);
+  from_->motion.solve(momentum_, step.v);
   from_->motion.rates(step.v, step.rates);
   from_->motion.apply_mass(step.v, step.momentum);
   // dλ = -D L dv - r; an open contact gives back all of its force.

@@ -76,7 +76,8 @@ class ProximalPoints {
 
         // The next point, with a longer step; where rounding held this one back, with a shorter one.
         lambda_ = next->lambda;
-        v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
+        motion_.apply_transpose(lambda_, momentum_);
+        motion_.apply_inverse_mass(momentum_, v_);
         const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
         if (next->is_rounded)
           rho_ = std::max(rho_ / growth, kFirstRho);
@@ -125,10 +126,12 @@ class ProximalPoints {
     int point = 0;            ///< After how many points.
   };
 
-  Candidate candidate_of(const ProximalPoint& point) const {
+  Candidate candidate_of(const ProximalPoint& point) {
     Candidate candidate{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
-    candidate.w =
-        motion_.rates(motion_.apply_inverse_mass(motion_.apply_transpose(candidate.lambda))) + laws_.b;
+    motion_.apply_transpose(candidate.lambda, momentum_);
+    motion_.apply_inverse_mass(momentum_, velocity_);
+    motion_.rates(velocity_, candidate.w);
+    candidate.w += laws_.b;
     const double size = size_of_(candidate.lambda);
     candidate.residual = law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w);
     VecX change = candidate.lambda - lambda_;
@@ -164,6 +167,7 @@ class ProximalPoints {
   VecX lambda_;  ///< λ⁰.
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_;
+  VecX momentum_, velocity_;  ///< Scratch.
   SearchByForces by_forces_;
   bool is_bold_;                      ///< Whether the forces are unknowns, too.
   std::optional<Candidate> best_;     ///< Of the least residual.

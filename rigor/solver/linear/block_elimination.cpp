@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace rigor {
@@ -19,6 +20,10 @@ namespace {
 
 /// The place of each node in an order of little fill.
 std::vector<int> places_of_little_fill(std::size_t nodes, const std::vector<std::pair<int, int>>& pairs) {
+  // Any order will do for two.
+  std::vector<int> places(nodes);
+  std::iota(places.begin(), places.end(), 0);
+  if (nodes <= 2) return places;
   Eigen::SparseMatrix<double> graph(static_cast<Eigen::Index>(nodes), static_cast<Eigen::Index>(nodes));
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * pairs.size() + nodes);
@@ -31,7 +36,6 @@ std::vector<int> places_of_little_fill(std::size_t nodes, const std::vector<std:
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   Eigen::AMDOrdering<int>()(graph, order);
 
-  std::vector<int> places(nodes);
   for (int place = 0; place < static_cast<int>(nodes); ++place) places[at(order.indices()(place))] = place;
   return places;
 }
@@ -299,11 +303,12 @@ void BlockElimination::eliminate(std::size_t place) {
   }
 }
 
-VecX BlockElimination::solve(const VecX& c) const {
+void BlockElimination::solve(const VecX& c, VecX& solution) const {
   const int nodes = static_cast<int>(pattern_.node_count());
   const Block6* const upper = blocks_.data() + pattern_.node_count();
   const Block6* const lower = blocks_.data() + first_lower();
-  std::vector<Vec6> x(pattern_.node_count());
+  std::vector<Vec6>& x = x_;
+  x.resize(pattern_.node_count());
   for (int node = 0; node < nodes; ++node) x[at(pattern_.place(node))] = c.segment<6>(6 * node);
   for (std::size_t place = 0; place < scales_.size(); ++place)
     x[place] = scales_[place].cwiseProduct(x[place]);
@@ -328,9 +333,8 @@ VecX BlockElimination::solve(const VecX& c) const {
 
   for (std::size_t place = 0; place < scales_.size(); ++place)
     x[place] = scales_[place].cwiseProduct(x[place]);
-  VecX solution(c.size());
+  solution.resize(c.size());
   for (int node = 0; node < nodes; ++node) solution.segment<6>(6 * node) = x[at(pattern_.place(node))];
-  return solution;
 }
 
 }  // namespace rigor

@@ -85,7 +85,12 @@ class BlockElimination {
   /// units.
   bool factor(const VecX& scales);
   /// A⁻¹ c (6 × nodes), after `factor`.
-  VecX solve(const VecX& c) const;
+  void solve(const VecX& c, VecX& x) const;
+  VecX solve(const VecX& c) const {
+    VecX x;
+    solve(c, x);
+    return x;
+  }
 
  private:
   /// With which row each row of a pivot P A = L U was exchanged; L, without its ones, and U stand in its
@@ -115,6 +120,7 @@ class BlockElimination {
                                 ///< it A_kp, of symmetric matrices from when p is eliminated.
   std::vector<Swaps> swaps_;                  ///< By place.
   std::vector<PlaceAttachment> attachments_;  ///< By place; none: no node is held.
+  mutable std::vector<Vec6> x_;               ///< By place: scratch.
 };
 
 }  // namespace rigor

@@ -3,30 +3,43 @@
 #include "rigor/core/index.hpp"
 #include "rigor/solver/linear/two_doubles.hpp"
 
+#include <array>
+#include <span>
+#include <tuple>
+
 namespace rigor {
 
 using Eigen::Index;
 
 ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPlan& plan, double mass_factor)
     : pattern_(plan.pattern), blocks_(plan.pattern, false), scales_(plan.scales) {
+  masses_.reserve(rows.node_count());
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     const auto S = scales_.segment<6>(6 * static_cast<Index>(k)).asDiagonal();
     masses_.push_back(S * (mass_factor * rows.masses[k]) * S);
   }
+  const std::size_t count = rows.contacts.size();
+  first_.reserve(count + 1);
+  first_slot_.reserve(count);
+  pair_of_.reserve(count);
+  rows_.reserve(2 * count);
+  slots_.reserve(4 * count);
   for (const ContactRows::Sides& sides : rows.contacts) add_sides(sides);
   first_.push_back(rows_.size());
 }
 
 void ContactMatrix::add_sides(const ContactRows::Sides& sides) {
-  std::vector<const ContactRows::Side*> own;
+  std::array<const ContactRows::Side*, std::tuple_size_v<ContactRows::Sides>> present{};
+  std::size_t count = 0;
   first_.push_back(rows_.size());
   first_slot_.push_back(slots_.size());
   for (const ContactRows::Side& side : sides) {
     if (side.node < 0) continue;
-    own.push_back(&side);
+    present[count++] = &side;
     rows_.push_back(side.J * scales_.segment<6>(6 * side.node).asDiagonal());
   }
   // Where the products of any two sides go in the matrix is found once for all factorisations.
+  const std::span own(present.data(), count);
   for (const ContactRows::Side* left : own)
     for (const ContactRows::Side* right : own) slots_.push_back(pattern_.slot(left->node, right->node));
   pair_of_.push_back(own.size() == 2 ? pair_of(*own[0], *own[1]) : no_pair);
@@ -126,8 +139,10 @@ void ContactMatrix::add_pair(const Pair& pair) {
   if (blocks_.is_read(pair.slot_BA)) blocks_.block(pair.slot_BA) -= shifted(S);
 }
 
-VecX ContactMatrix::solve(const VecX& c) const {
-  return scales_.cwiseProduct(blocks_.solve(scales_.cwiseProduct(c)));
+void ContactMatrix::solve(const VecX& c, VecX& x) const {
+  scaled_ = scales_.cwiseProduct(c);
+  blocks_.solve(scaled_, x);
+  x = scales_.cwiseProduct(x);
 }
 
 }  // namespace rigor

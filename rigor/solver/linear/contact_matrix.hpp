@@ -25,7 +25,12 @@ class ContactMatrix {
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);
   /// x with (M + Σ Jᵀ D J) x = c, after `factor`.
-  VecX solve(const VecX& c) const;
+  void solve(const VecX& c, VecX& x) const;
+  VecX solve(const VecX& c) const {
+    VecX x;
+    solve(c, x);
+    return x;
+  }
 
  private:
   /// A side's rows, by rows, with the unknowns scaled.
@@ -58,6 +63,7 @@ class ContactMatrix {
   std::vector<std::size_t> first_slot_;
   std::vector<int> pair_of_;  ///< One a contact: its pair, or none.
   std::vector<Pair> pairs_;
+  mutable VecX scaled_;  ///< Scratch.
 };
 
 }  // namespace rigor

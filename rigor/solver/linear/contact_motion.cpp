@@ -47,8 +47,8 @@ void FactoredMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const
   symmetry_ = symmetry;
 }
 
-VecX FactoredMotion::solve(const VecX& g) const {
-  return symmetry_ == Symmetry::positive ? symmetric_solution(matrix_, g) : square_solution(matrix_, g);
+void FactoredMotion::solve(const VecX& g, VecX& v) const {
+  v = symmetry_ == Symmetry::positive ? symmetric_solution(matrix_, g) : square_solution(matrix_, g);
 }
 
 SparseMotion::SparseMotion(const ContactRows& rows)
@@ -61,8 +61,11 @@ void SparseMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
     held_.emplace(NodeSystem(rows_, plan_, D, 1.0, symmetry == Symmetry::positive));
 }
 
-VecX SparseMotion::solve(const VecX& g) const {
-  return matrix_.is_possible() ? matrix_.solve(g) : held_->solve(g);
+void SparseMotion::solve(const VecX& g, VecX& v) const {
+  if (matrix_.is_possible())
+    matrix_.solve(g, v);
+  else
+    v = held_->solve(g);
 }
 
 VecX effective_masses(const VecX& diagonal) {

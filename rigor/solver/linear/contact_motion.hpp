@@ -28,7 +28,7 @@ class ContactMotion {
   virtual void factor(const std::vector<Mat3>& D, Symmetry symmetry) const = 0;
   /// (M + Lᵀ D L)⁻¹ g of the matrix begun with last; of the motions that joints allow the one that solves it
   /// on them.
-  virtual VecX solve(const VecX& g) const = 0;
+  virtual void solve(const VecX& g, VecX& v) const = 0;
 
   VecX rates(const VecX& v) const { return result_of(&ContactMotion::rates, v); }
   VecX apply_transpose(const VecX& lambda) const {
@@ -36,6 +36,7 @@ class ContactMotion {
   }
   VecX apply_mass(const VecX& v) const { return result_of(&ContactMotion::apply_mass, v); }
   VecX apply_inverse_mass(const VecX& p) const { return result_of(&ContactMotion::apply_inverse_mass, p); }
+  VecX solve(const VecX& g) const { return result_of(&ContactMotion::solve, g); }
   VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
     factor(D, symmetry);
     return solve(g);
@@ -55,14 +56,14 @@ class FactoredMotion : public ContactMotion {
  public:
   explicit FactoredMotion(const MatX& A);
   using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
-      ContactMotion::apply_mass;
+      ContactMotion::apply_mass, ContactMotion::solve;
   void rates(const VecX& v, VecX& w) const override { w.noalias() = L_ * v; }
   void apply_transpose(const VecX& lambda, VecX& p) const override { p.noalias() = L_.transpose() * lambda; }
   void apply_mass(const VecX& v, VecX& p) const override { p = v; }
   void apply_inverse_mass(const VecX& p, VecX& v) const override { v = p; }
   const VecX& diagonal() const override { return diagonal_; }
   void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
-  VecX solve(const VecX& g) const override;
+  void solve(const VecX& g, VecX& v) const override;
 
  private:
   MatX L_;  ///< 3n × rank.
@@ -80,7 +81,7 @@ class SparseMotion : public ContactMotion {
   SparseMotion& operator=(const SparseMotion&) = delete;
   const EliminationPlan& plan() const { return plan_; }
   using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
-      ContactMotion::apply_mass;
+      ContactMotion::apply_mass, ContactMotion::solve;
   void rates(const VecX& v, VecX& w) const override { contact_rates(rows_, v, w); }
   void apply_transpose(const VecX& lambda, VecX& p) const override {
     contact_wrenches(rows_, lambda, p);
@@ -90,7 +91,7 @@ class SparseMotion : public ContactMotion {
   void apply_inverse_mass(const VecX& p, VecX& v) const override { node_accelerations(rows_, p, v); }
   const VecX& diagonal() const override { return diagonal_; }
   void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
-  VecX solve(const VecX& g) const override;
+  void solve(const VecX& g, VecX& v) const override;
 
  private:
   const ContactRows& rows_;

@@ -203,24 +203,29 @@ VecX contact_diagonal(const ContactRows& rows) {
   return diagonal;
 }
 
-VecX term_sizes(const ContactRows& rows, const VecX& lambda) {
+double largest_term(const ContactRows& rows, const VecX& lambda) {
   const auto sized = [](const ContactRows::Block& J) { return ContactRows::Block(J.cwiseAbs()); };
-  const VecX sizes_of_lambda = lambda.cwiseAbs();
-  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count())), accelerations(wrenches.size());
-  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
+  // |Jᵀ| |λ| of each node, then |M⁻¹| times that in its place.
+  VecX of_nodes = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    const Vec3 size_of_force = lambda.segment<3>(3 * static_cast<Index>(i)).cwiseAbs();
     for (const ContactRows::Side& side : rows.contacts[i])
       if (side.node >= 0)
-        add_wrench(sized(side.J).data(), sizes_of_lambda.data() + 3 * i, wrenches.data() + 6 * side.node);
-  for (std::size_t k = 0; k < rows.node_count(); ++k) {
-    const Index row = 6 * static_cast<Index>(k);
-    accelerations.segment<6>(row).noalias() = rows.inverse_masses[k].cwiseAbs() * wrenches.segment<6>(row);
+        add_wrench(sized(side.J).data(), size_of_force.data(), of_nodes.data() + 6 * side.node);
   }
-  VecX sizes = VecX::Zero(lambda.size());
-  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
-    for (const ContactRows::Side& side : rows.contacts[i])
-      if (side.node >= 0)
-        add_rates(sized(side.J).data(), accelerations.data() + 6 * side.node, sizes.data() + 3 * i);
-  return sizes;
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    auto own = of_nodes.segment<6>(6 * static_cast<Index>(k));
+    own = Vec6(rows.inverse_masses[k].cwiseAbs() * own);
+  }
+  // |J| times that.
+  double largest = 0;
+  for (const ContactRows::Sides& sides : rows.contacts) {
+    Vec3 sizes = Vec3::Zero();
+    for (const ContactRows::Side& side : sides)
+      if (side.node >= 0) add_rates(sized(side.J).data(), of_nodes.data() + 6 * side.node, sizes.data());
+    largest = std::max(largest, sizes.maxCoeff());
+  }
+  return largest;
 }
 
 }  // namespace rigor

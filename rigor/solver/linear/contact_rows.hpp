@@ -70,8 +70,8 @@ MatX contact_response(const ContactRows& rows);
 VecX contact_diagonal(const ContactRows& rows);
 /// That of J M⁻¹ Jᵀ, as if there were no joints: at least as large.
 VecX free_diagonal(const ContactRows& rows);
-/// |J| |M⁻¹| |Jᵀ| |λ| (3n): the sizes of the terms that A λ is summed from, but for
-/// those of joints.
-VecX term_sizes(const ContactRows& rows, const VecX& lambda);
+/// The largest of |J| |M⁻¹| |Jᵀ| |λ|: of the sizes of the terms that A λ is summed from, but for those of
+/// joints.
+double largest_term(const ContactRows& rows, const VecX& lambda);
 
 }  // namespace rigor

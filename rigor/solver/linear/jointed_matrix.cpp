@@ -14,16 +14,19 @@ bool JointedMatrix::factor(const std::vector<Mat3>& D, bool is_symmetric) {
   if (!has_loops()) return is_regular;
   const MatX& C_T = plan_.loop_rows_T;
   response_.resize(C_T.rows(), C_T.cols());
-  for (Index k = 0; k < C_T.cols(); ++k) response_.col(k) = matrix_.solve(C_T.col(k));
+  VecX column;
+  for (Index k = 0; k < C_T.cols(); ++k) {
+    matrix_.solve(C_T.col(k), column);
+    response_.col(k) = column;
+  }
   border_.compute(C_T.transpose() * response_);
   return is_regular;
 }
 
 // x = K⁻¹ c - K⁻¹ Cᵀ μ with C x = 0.
-VecX JointedMatrix::solve(const VecX& c) const {
-  VecX x = matrix_.solve(c);
+void JointedMatrix::solve(const VecX& c, VecX& x) const {
+  matrix_.solve(c, x);
   if (has_loops()) x -= response_ * border_.solve(plan_.loop_rows_T.transpose() * x);
-  return x;
 }
 
 }  // namespace rigor

@@ -22,7 +22,12 @@ class JointedMatrix {
   /// Whether all pivots were nonzero and finite.
   bool factor(const std::vector<Mat3>& D, bool is_symmetric);
   /// The x that the joints allow with (M + Σ Jᵀ D J) x = c but for a reaction of the joints.
-  VecX solve(const VecX& c) const;
+  void solve(const VecX& c, VecX& x) const;
+  VecX solve(const VecX& c) const {
+    VecX x;
+    solve(c, x);
+    return x;
+  }
 
  private:
   const EliminationPlan& plan_;

@@ -76,7 +76,7 @@ VecX MotionModesSystem::expand_equations(const VecX& misses) const {
 }
 
 double MotionModesSystem::size_of_terms(const VecX& lambda) const {
-  return std::max(problem_.laws.b.cwiseAbs().maxCoeff(), term_sizes(problem_.rows, lambda).maxCoeff());
+  return std::max(problem_.laws.b.cwiseAbs().maxCoeff(), largest_term(problem_.rows, lambda));
 }
 
 void MotionModesSystem::iterate() {

@@ -164,7 +164,7 @@ class MotionSolver {
   }
 
   double largest_of(const VecX& lambda) const {
-    return std::max(laws_.b.cwiseAbs().maxCoeff(), term_sizes(problem_.rows, lambda).maxCoeff());
+    return std::max(laws_.b.cwiseAbs().maxCoeff(), largest_term(problem_.rows, lambda));
   }
 
   VecX motion_of(const VecX& lambda) const {

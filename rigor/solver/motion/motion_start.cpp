@@ -12,7 +12,7 @@ namespace {
 
 /// Largest of the terms that w is summed from.
 double size_of_terms(const MotionProblem& problem, const VecX& lambda) {
-  return std::max(problem.laws.b.cwiseAbs().maxCoeff(), term_sizes(problem.rows, lambda).maxCoeff());
+  return std::max(problem.laws.b.cwiseAbs().maxCoeff(), largest_term(problem.rows, lambda));
 }
 
 /// These forces as an answer to the problem.

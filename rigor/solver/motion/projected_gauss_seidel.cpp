@@ -183,7 +183,7 @@ VelocitySolution solution_of(const VelocityProblem& problem, const VecX& lambda,
                             0.0};
   // The size of what is summed in the rows, against which what they miss is measured.
   double size = 0;
-  if (lambda.size() > 0) size = std::max(laws.b.cwiseAbs().maxCoeff(), term_sizes(rows, lambda).maxCoeff());
+  if (lambda.size() > 0) size = std::max(laws.b.cwiseAbs().maxCoeff(), largest_term(rows, lambda));
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Index row = static_cast<Index>(j);
     size = std::max({size, std::abs(problem.c(row)), joints[j].mobility * std::abs(nu(row))});
