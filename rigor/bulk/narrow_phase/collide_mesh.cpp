@@ -263,6 +263,13 @@ void MeshMeeting::find(const MeshView& view, const BulkShape& core, const Placed
       for (const ManifoldCandidate& candidate : groups_[k].candidates) least = std::min(least, candidate.gap);
     is_clear_ &= least <= blocked_ + preference(blocked_);
   }
+  // Nor is it clear that a core without vertices touches nothing, if nothing parts it from some triangle.
+  if (smooth_ && group_count_ == 0)
+    is_clear_ &= std::none_of(facets_.begin(), facets_.end(), [&](const Facet& facet) {
+      const Vec3f middle = (facet.corners[0] + facet.corners[1] + facet.corners[2]) / 3;
+      return !facet.is_back && facet.separation < -4 * rounding_ &&
+             smooth_->separation_from(facet.corners, middle) < -4 * rounding_;
+    });
   // Manifolds are matched by their part of the mesh, so that their order must not depend on the order of
   // facets.
   std::sort(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(group_count_),
