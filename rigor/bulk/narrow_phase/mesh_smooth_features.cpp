@@ -107,7 +107,7 @@ bool MeshMeeting::touch_smooth(const MeshView& view, const EdgePart& edge, Ridge
   std::optional<PartingTouch> touch = part_best_about_edge(*smooth_, *normals, rounding_);
   if (!touch || touch->separation > margin_) return false;
   const float along = edge.u.dot(touch->p - edge.p) / length;
-  const bool is_before = along<0, is_beyond = along> length;
+  const bool is_before = (along < 0), is_beyond = (along > length);
   const int vertex = is_before ? edge.first : is_beyond ? edge.last : -1;
   if (is_before || is_beyond) {
     // An end, if it is one of the edge and not only of the part that is looked at.
