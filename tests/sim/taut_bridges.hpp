@@ -11,11 +11,18 @@
 
 namespace rigor::test {
 
-/// A random bridge of 5 to 9 planks in hinges between two walls, with a sag of 0.3 to 3 % of its length.
-inline std::shared_ptr<const Model> taut_bridge(Random& random) {
-  const int count = static_cast<int>(random.uniform(5, 9.999));
+/// Of random bridges.
+struct TautBridges {
+  int least_count = 5, most_count = 9;        ///< Of planks.
+  double least_sag = 0.003, most_sag = 0.03;  ///< Share of the length.
+  bool has_load = false;                      ///< Whether a ball falls on it.
+};
+
+/// A random bridge of planks in hinges between two walls.
+inline std::shared_ptr<const Model> taut_bridge(Random& random, const TautBridges& of = {}) {
+  const int count = static_cast<int>(random.uniform(of.least_count, of.most_count + 0.999));
   const double pitch = random.uniform(0.2, 0.6);
-  const double sag = random.uniform(0.003, 0.03) * count * pitch;
+  const double sag = random.uniform(of.least_sag, of.most_sag) * count * pitch;
   const auto knot = [&](int i) {
     const double part = i / static_cast<double>(count);
     return Vec3(i * pitch, 0, -4 * sag * part * (1 - part));
@@ -40,6 +47,12 @@ inline std::shared_ptr<const Model> taut_bridge(Random& random) {
     hinge.anchors = {knot(i)};
     hinge.axis = Vec3::UnitY();
     builder.add_joint(hinge);
+  }
+  if (of.has_load) {
+    const Vec3 above(random.uniform(0.2, 0.8) * count * pitch, 0, 0.25 + random.uniform(0, 1));
+    BodyDescription load = stepping_body("load", Sphere{0.2}, above);
+    load.mass = random.uniform(5, 30);
+    builder.add_body(load);
   }
   return builder.build();
 }
