@@ -394,9 +394,13 @@ void BulkWorld::take_substep(bool is_first, float h) {
 /// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
+  // The last sweep has moved held bodies as if they were free.
+  if (s.held.are_any()) s.joints->solve(JointPass::rates, s.executor);
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
   s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
-  s.contacts.bounce_apart(*model_, bodies_, s.executor);
+  s.contacts.bounce_apart(*model_, s.held, bodies_, s.executor);
+  // What struck held bodies goes to their joints.
+  if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
 }
 
 void BulkWorld::find_direct_islands(double substep) {

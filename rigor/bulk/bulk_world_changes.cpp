@@ -85,6 +85,7 @@ void BulkWorld::settle_changes() {
   s.forces.change(changed);
   if (s.sleepers) s.sleepers->change(changed);
   if (changed.are_ties_new) s.joints.emplace(*model_);
+  s.held = HeldBodies(*model_);
   // Who may meet whom.
   for (const int body : changes_.filters) s.passing.set_filter(body);
   if (changed.are_ties_new) s.pair_finder.set_excluded(*model_);

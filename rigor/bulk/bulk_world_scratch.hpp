@@ -12,6 +12,7 @@
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/passing_guard.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
+#include "rigor/bulk/state/held_bodies.hpp"
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/bulk/step_balance.hpp"
 #include "rigor/bulk/step_forces.hpp"
@@ -32,6 +33,7 @@ struct BulkWorld::Scratch {
         tilts(model),
         direct(model),
         joints(std::in_place, model),
+        held(model),
         gyroscopic_terms(model),
         prescribed(model),
         bounce_limits(model),
@@ -47,6 +49,7 @@ struct BulkWorld::Scratch {
   ElasticTilts tilts;
   DirectIslands direct;
   std::optional<BulkJoints> joints;  ///< Always there: made anew when joints come and go.
+  HeldBodies held;
   GyroscopicTerms gyroscopic_terms;
   PrescribedBodies prescribed;
   BounceLimits bounce_limits;

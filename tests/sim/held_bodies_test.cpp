@@ -60,7 +60,7 @@ void add_joints(Hold hold, ModelBuilder& builder) {
 }
 
 /// Where the ball is after 0.6 s, about 0.3 s after its impact.
-Vec3 end_of(const Drop& drop, Hold hold, Scheme scheme) {
+Vec3 end_of(const Drop& drop, Hold hold, Scheme scheme, SolverMethod solver = SolverMethod::exact) {
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
   builder.add_material({"m", 1000, drop.friction, drop.restitution});
@@ -73,6 +73,7 @@ Vec3 end_of(const Drop& drop, Hold hold, Scheme scheme) {
   const std::shared_ptr<const Model> model = builder.build();
   Method method;
   method.scheme = scheme;
+  method.solver = solver;
   State state = make_initial_state(*model);
   Auditor auditor(model, method, state);
   auditor.observe(state, make_stepper(model, method, 0.01)->advance(state, 0.6));
@@ -86,9 +87,9 @@ struct Promise {
   int drops;
 };
 
-class HeldBodies : public testing::TestWithParam<Promise> {};
+class HeldBodiesIn : public testing::TestWithParam<Promise> {};
 
-TEST_P(HeldBodies, AreAsStaticOnes) {
+TEST_P(HeldBodiesIn, ASchemeAreAsStaticOnes) {
   const auto [scheme, error, drops] = GetParam();
   test::Random random(5);
   for (int k = 0; k < drops; ++k) {
@@ -104,12 +105,26 @@ TEST_P(HeldBodies, AreAsStaticOnes) {
 // Events are located; steps meet an impact of 4 m/s one step of 10 ms sooner or later; micro-collisions slip
 // by some micrometres while they hold what came to rest; penalty's impacts take a time that follows from the
 // mass.
-INSTANTIATE_TEST_SUITE_P(Schemes, HeldBodies,
+INSTANTIATE_TEST_SUITE_P(Schemes, HeldBodiesIn,
                          testing::Values(Promise{Scheme::event_driven, 1e-8, 8},
                                          Promise{Scheme::hybrid, 1e-8, 8},
                                          Promise{Scheme::time_stepping, 0.08, 8},
                                          Promise{Scheme::impulse_based, 1e-4, 8},
                                          Promise{Scheme::penalty, 2e-3, 2}));
+
+// Contacts push softly while a joint holds, which lasts some substeps: an error of what the ball flies in a
+// step. Off a box of its own mass that is not held it would bounce by 0.2 m less.
+TEST(HeldBodies, AreBouncedOffBySoftStepsAsStaticOnes) {
+  test::Random random(5);
+  for (int k = 0; k < 8; ++k) {
+    SCOPED_TRACE(k);
+    const Drop drop = random_drop(random);
+    const auto end = [&](Hold hold) {
+      return end_of(drop, hold, Scheme::time_stepping, SolverMethod::substep);
+    };
+    EXPECT_LT((end(Hold::fixed_joint) - end(Hold::static_body)).norm(), 0.04);
+  }
+}
 
 }  // namespace
 }  // namespace rigor::held_bodies_test

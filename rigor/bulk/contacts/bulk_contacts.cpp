@@ -149,7 +149,8 @@ bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& execut
   return std::any_of(bounces_.begin(), bounces_.end(), [](const BlockBounces& b) { return b.does_any; });
 }
 
-void BulkContacts::bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor) {
+void BulkContacts::bounce_apart(const Model& model, HeldBodies& held, BulkBodies& bodies,
+                                const Executor& executor) {
   for_colours(executor, [&](int begin, int end) {
     blocks_.for_totals(begin, end, [&](const auto& block, auto& total, int number) {
       const BlockBounces& found = bounces_[at(number)];
@@ -158,7 +159,7 @@ void BulkContacts::bounce_apart(const Model& model, BulkBodies& bodies, const Ex
         if (!(found.most[i] > 0)) continue;
         const std::size_t manifold = at(manifold_of(number, lane));
         const std::array<float, Manifold::max_points> impulses =
-            bounce(model, read(block, total, lane, manifold), found.most[i], bodies);
+            bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies);
         for (std::size_t k = 0; k < total.points; ++k) total.normal(k)[i] += impulses[k];
       }
     });

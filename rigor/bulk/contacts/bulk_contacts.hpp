@@ -7,6 +7,7 @@
 #include "rigor/bulk/matching/manifold_blocks.hpp"
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/held_bodies.hpp"
 #include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/core/index.hpp"
@@ -52,7 +53,7 @@ class BulkContacts {
   /// how much energy each may give back; whether there are any.
   bool find_bounces(const BulkBodies& bodies, const Executor& executor);
   /// Then lets them bounce (manifold_bounce.hpp).
-  void bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor);
+  void bounce_apart(const Model& model, HeldBodies& held, BulkBodies& bodies, const Executor& executor);
   /// Takes part(body_A, body_B) of the sums of each manifold's impulses away.
   template <class Part>
   void lessen(const Part& part) {

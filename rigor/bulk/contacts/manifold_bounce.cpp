@@ -140,7 +140,7 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies) {
 }
 
 std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
-                                               double most, BulkBodies& bodies) {
+                                               double most, HeldBodies& held, BulkBodies& bodies) {
   const ManifoldFrame& f = manifold.frame;
   const std::array<int, 2> indices{manifold.body_A, manifold.body_B};
 
@@ -151,9 +151,12 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
   for (const bool is_B : {false, true}) {
     const std::size_t body = at(indices[is_B]);
     responses[is_B] = response_of(bodies.inertia[body], f, is_B ? f.rB : f.rA);
-    K += responses[is_B].K;
+    if (!held.contains(indices[is_B])) K += responses[is_B].K;
     u += (is_B ? 1 : -1) * normal_motion(f, is_B ? f.rB : f.rA, bodies.motion[body]);
   }
+
+  // What is held does not bounce off what stands.
+  if (K.isZero(0)) return {};
 
   // Newton's law.
   const BounceImpulses found = find_impulses(manifold, u, K);
@@ -166,7 +169,7 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
     dv[is_B] = responses[is_B].dv * wrench[0] * f.n;
     dw[is_B] = responses[is_B].dw * wrench;
     const int body = indices[is_B];
-    if (bodies.is_dynamic(body)) {
+    if (bodies.is_dynamic(body) && !held.contains(body)) {
       add_cost(model, body, bodies, dv[is_B], dw[is_B], cost);
     } else {
       // It moves as it must: what it works is given.
@@ -178,8 +181,13 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
   // The part of it that the energy pays for.
   const double part = cost.affordable_part(most);
   for (const bool is_B : {false, true}) {
-    if (!bodies.is_dynamic(indices[is_B])) continue;
-    add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(indices[is_B])]);
+    const int body = indices[is_B];
+    if (!bodies.is_dynamic(body)) continue;
+    if (held.contains(body)) {
+      held.strike(body, part * dv[is_B], part * dw[is_B]);
+    } else {
+      add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(body)]);
+    }
   }
   std::array<float, Manifold::max_points> impulses;
   for (std::size_t k = 0; k < Manifold::max_points; ++k)

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/held_bodies.hpp"
 
 #include <array>
 
@@ -22,11 +23,12 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies);
 /// Lets the points of a manifold that bounce part at e times the speed at which they met (Newton), as far as
 /// that costs no more than the energy `most` [J]; other points that were pressed are held. The energy is that
 /// of the bodies in their present orientations, less the work of one that moves as it must. Changes
-/// velocities of its bodies; returns the normal impulses of the points [N s].
+/// velocities of its bodies, and strikes held ones, off which others bounce as off what moves as it must;
+/// returns the normal impulses of the points [N s].
 ///
 /// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for Newton's
 /// law with several points; the bound of the energy is ours.
 std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
-                                               double most, BulkBodies& bodies);
+                                               double most, HeldBodies& held, BulkBodies& bodies);
 
 }  // namespace rigor

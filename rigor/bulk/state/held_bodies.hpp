@@ -1,0 +1,32 @@
+#pragma once
+
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/model/model.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// The dynamic bodies that fixed joints hold to the world or to what moves as it must, also over others that
+/// are held: nothing that strikes them moves them. Contacts are solved with the inertia of each body alone,
+/// before joints; where restitution comes once, a ball would bounce off a held box as off a free one.
+class HeldBodies {
+ public:
+  explicit HeldBodies(const Model& model);
+
+  bool are_any() const { return !held_.empty(); }
+  bool contains(int body) const { return is_held_[at(body)] != 0; }
+  /// What struck a held body changes its velocities by, if it were free: for its joints.
+  void strike(int body, const Vec3& dv, const Vec3& dw);
+  /// Gives held bodies what struck them since the last call; false if nothing did. Joints have to hold them
+  /// then.
+  bool take_strikes(BulkBodies& bodies);
+
+ private:
+  std::vector<char> is_held_;       ///< By body.
+  std::vector<int> held_;           ///< Ascending.
+  std::vector<MotionRow> strikes_;  ///< By body; none if none is held.
+};
+
+}  // namespace rigor
