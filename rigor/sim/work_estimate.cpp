@@ -126,8 +126,12 @@ WorkRate rate_from(const std::shared_ptr<const Model>& model, const Method& meth
   double substeps = 0;
   const auto operations = [&] { return work_counted() - counted_before; };
   const std::unique_ptr<Stepper> stepper = make_stepper(model, method, target_step);
-  stepper->set_interrupt(
-      [&] { return ++questions > trial.most_questions || operations() > trial.most_operations; });
+  // The trial ends at its bounds, and where the caller asks for an end.
+  const std::function<bool()> asked_for_end = shared_interrupt();
+  stepper->set_interrupt([&] {
+    return ++questions > trial.most_questions || operations() > trial.most_operations ||
+           (asked_for_end && asked_for_end());
+  });
 
   // Spans twice as long each, until they are long or the work is much.
   const auto rate = [&](double span) {
@@ -137,6 +141,7 @@ WorkRate rate_from(const std::shared_ptr<const Model>& model, const Method& meth
   for (double span = shortest; state.t - begin < trial.longest; span *= 2) {
     poll_interrupt();
     const AdvanceReport report = stepper->advance(state, state.t + span);
+    poll_interrupt();
     if (report.reason == StopReason::interrupted && collides) {
       WorkRate grown = rate(state.t - begin + span);
       // Of jointed bodies the operations tell more.
