@@ -48,8 +48,8 @@ constexpr double deeper_share = 0.01;  ///< What is deep already may become deep
 
 /// What is known of two shapes where the first leg begins.
 struct Beginning {
-  double level;  ///< How near they may come [m].
-  bool overlap = false;
+  double level;                      ///< How near they may come [m].
+  std::optional<bool> overlap = {};  ///< Unknown where planes have parted them.
 };
 
 /// Where two shapes are at the beginning and at the end of their ways. Along a direction the lowest point of
@@ -57,49 +57,78 @@ struct Beginning {
 /// from the centre, by no more than r θ²/8.
 class BothEnds {
  public:
+  struct Places {
+    Pose X_WA, X_WB;  ///< Of the shapes.
+  };
   BothEnds(const ShapePath& A, const ShapePath& B)
-      : A_(A), B_(B), X_WA_{A.X_WB * A.shape->X_BS, end_of(A)}, X_WB_{B.X_WB * B.shape->X_BS, end_of(B)} {
-    bend_ = (A.turning * A.dr_W.squaredNorm() + B.turning * B.dr_W.squaredNorm()) / 8;
+      : A_(A), B_(B), begin_{A.X_WB * A.shape->X_BS, B.X_WB * B.shape->X_BS} {
+    const double squared_A = A.dr_W.squaredNorm(), squared_B = B.dr_W.squaredNorm();
+    turned_ = A.turning * std::sqrt(squared_A) + B.turning * std::sqrt(squared_B);
+    bend_ = (A.turning * squared_A + B.turning * squared_B) / 8;
   }
 
-  const Pose& X_WA(std::size_t end) const { return X_WA_[end]; }
-  const Pose& X_WB(std::size_t end) const { return X_WB_[end]; }
+  const Places& begin() const { return begin_; }
+  const Places& end() {
+    if (!end_) end_ = {end_of(A_), end_of(B_)};
+    return *end_;
+  }
   double bend() const { return bend_; }
   /// Whether both, which are bounded and convex, are at least `deepest_now` apart along n at the beginning,
   /// and `deepest` all along.
-  bool parts(const Vec3& n, double deepest, double deepest_now) const {
-    const double now = apart(n, 0);
-    return now >= deepest_now && now - bend_ >= deepest && apart(n, 1) - bend_ >= deepest;
+  bool parts(const Vec3& n, double deepest, double deepest_now) {
+    const double now = apart(n, begin_);
+    if (now < deepest_now || now - bend_ < deepest) return false;
+    // Most are so far apart that it does not matter which way their points turn.
+    if (now + std::min(0.0, n.dot(B_.dp_W - A_.dp_W)) - turned_ >= deepest) return true;
+    return apart(n, end()) - bend_ >= deepest;
   }
 
  private:
   static Pose end_of(const ShapePath& path) {
     return TwistMotion(path.X_WB, path.dp_W, path.dr_W).sample(1).X_WB * path.shape->X_BS;
   }
-  double apart(const Vec3& n, std::size_t end) const {
-    return n.dot(X_WB_[end].p - X_WA_[end].p) - support_value(A_.shape->shape, X_WA_[end].R.transpose() * n) -
-           support_value(B_.shape->shape, X_WB_[end].R.transpose() * -n);
+  double apart(const Vec3& n, const Places& places) const {
+    return n.dot(places.X_WB.p - places.X_WA.p) -
+           support_value(A_.shape->shape, places.X_WA.R.transpose() * n) -
+           support_value(B_.shape->shape, places.X_WB.R.transpose() * -n);
   }
 
   const ShapePath& A_;
   const ShapePath& B_;
-  std::array<Pose, 2> X_WA_, X_WB_;
-  double bend_;
+  Places begin_;
+  std::optional<Places> end_;  ///< Found when it is asked for.
+  double turned_;              ///< No point is taken farther against the other body by rotations [m].
+  double bend_;                ///< What these bend the ways of points [m].
 };
 
+/// Whether the balls about the centres of two bodies that hold their shapes do not meet. The centres go
+/// straight.
+bool are_balls_apart(const ShapePath& A, const ShapePath& B) {
+  const Vec3 from = B.X_WB.p - A.X_WB.p, path = B.dp_W - A.dp_W;
+  const double squared = path.squaredNorm();
+  const double nearest = squared > 0 ? std::clamp(-from.dot(path) / squared, 0.0, 1.0) : 0;
+  const auto radius_of = [](const BodyShape& shape) { return shape.X_BS.p.norm() + shape.radius; };
+  const double radii = radius_of(*A.shape) + radius_of(*B.shape);
+  return (from + nearest * path).squaredNorm() > radii * radii;
+}
+
 /// Whether a plane parts two convex shapes all along their ways, as far as they may overlap: it is seen
-/// without their distance. Tried are planes across the line of their centres, and along the faces of boxes.
-bool is_parted_by_plane(const ShapePath& A, const ShapePath& B, double deepest, double deepest_now) {
-  const BothEnds ends(A, B);
-  const Vec3 between = ends.X_WB(0).p - ends.X_WA(0).p;
+/// without their distance. Tried are planes across `likely`, unless that is zero, across the line of their
+/// centres, and along the faces of boxes.
+bool is_parted_by_plane(const ShapePath& A, const ShapePath& B, const Vec3& likely, double deepest,
+                        double deepest_now) {
+  if (are_balls_apart(A, B)) return true;
+  BothEnds ends(A, B);
+  // Shapes that touch are parted best across their contact.
+  if (!likely.isZero(0) && ends.parts(likely, deepest, deepest_now)) return true;
+  const Vec3 between = ends.begin().X_WB.p - ends.begin().X_WA.p;
   const double length = between.norm();
-  // The line of the centres first, since it serves balls and whatever is far apart; then the faces that boxes
-  // lie on.
+  // The line of the centres serves balls and whatever is far apart; then come the faces that boxes lie on.
   if (length > 0 && ends.parts(between / length, deepest, deepest_now)) return true;
   for (const bool is_A : {true, false}) {
     if (!std::holds_alternative<Box>((is_A ? A : B).shape->shape)) continue;
     for (int k = 0; k < 3; ++k) {
-      const Vec3 n = (is_A ? ends.X_WA(0) : ends.X_WB(0)).R.col(k);
+      const Vec3 n = (is_A ? ends.begin().X_WA : ends.begin().X_WB).R.col(k);
       if (ends.parts(n.dot(between) < 0 ? Vec3(-n) : n, deepest, deepest_now)) return true;
     }
   }
@@ -118,7 +147,8 @@ class MeshPlanes {
         still_{mesh_path.shape, mesh_path.X_WB, Vec3::Zero(), Vec3::Zero(), 0, mesh_path.thickness},
         against_{path.shape, path.X_WB, path.dp_W - mesh_path.dp_W, path.dr_W, path.turning, path.thickness},
         ends_(still_, against_) {
-    for (std::size_t k = 0; k < 2; ++k) X_MS_[k] = ends_.X_WA(0).inverse() * ends_.X_WB(k);
+    const Pose X_MW = ends_.begin().X_WA.inverse();
+    X_MS_ = {X_MW * ends_.begin().X_WB, X_MW * ends_.end().X_WB};
   }
 
   bool part(double deepest, double deepest_now) const {
@@ -169,9 +199,10 @@ class MeshPlanes {
 };
 
 /// Whether planes show that two shapes stay apart all along their ways, as far as they may overlap.
-bool are_parted(const ShapePath& A, const ShapePath& B, double deepest, double deepest_now) {
+bool are_parted(const ShapePath& A, const ShapePath& B, const Vec3& likely, double deepest,
+                double deepest_now) {
   if (is_bounded(A.shape->shape) && is_bounded(B.shape->shape))
-    return is_parted_by_plane(A, B, deepest, deepest_now);
+    return is_parted_by_plane(A, B, likely, deepest, deepest_now);
   for (const bool is_A : {true, false}) {
     const ShapePath &mesh = is_A ? A : B, &other = is_A ? B : A;
     if (is_mesh(mesh.shape->shape) && is_bounded(other.shape->shape) && mesh.dr_W.isZero(0))
@@ -188,6 +219,7 @@ class Walk {
         motion_A_(A.X_WB, A.dp_W, A.dr_W),
         motion_B_(B.X_WB, B.dp_W, B.dr_W),
         has_bound_(is_convex(A.shape->shape) && is_convex(B.shape->shape)),
+        are_bounded_(is_bounded(A.shape->shape) && is_bounded(B.shape->shape)),
         is_mesh_and_convex_((is_mesh(A.shape->shape) && is_bounded(B.shape->shape)) ||
                             (is_mesh(B.shape->shape) && is_bounded(A.shape->shape))) {
     length_ = (A.dp_W - B.dp_W).norm() + A.turning * A.dr_W.norm() + B.turning * B.dr_W.norm();
@@ -219,7 +251,9 @@ class Walk {
       // No point goes farther than length_ in the whole interval.
       double step = (now.distance - level) / length_;
       if (t + step >= 1) return 1;
-      // A bound along the direction of the distance allows longer steps.
+      // A plane across the direction of the distance may part them to the end; a bound along it allows longer
+      // steps.
+      if (are_bounded_ && is_rest_parted(t, now.n_W, level)) return 1;
       if (has_bound_) {
         const SeparationBound bound(*core_A_, *core_B_, now.n_W, now.distance, t, 1);
         step = std::max(step, bound.safe_step(1 - t, level));
@@ -234,6 +268,11 @@ class Walk {
     }
     return last;
   }
+  /// Of the shapes, after the part t of their ways.
+  DistanceResult distance(double t) const {
+    return signed_distance(A_.shape->shape, motion_A_.sample(t).X_WB * A_.shape->X_BS, B_.shape->shape,
+                           motion_B_.sample(t).X_WB * B_.shape->X_BS);
+  }
 
  private:
   /// How far a mesh and a convex shape go from t without overlapping by more than `slack`: what slides along
@@ -247,9 +286,15 @@ class Walk {
     const MeshAdvance from{t, 1, now.distance, 0, slack, slack, std::span(&n_W, 1)};
     return safe_mesh_convex_step(is_A ? a : b, is_A ? b : a, from);
   }
-  DistanceResult distance(double t) const {
-    return signed_distance(A_.shape->shape, motion_A_.sample(t).X_WB * A_.shape->X_BS, B_.shape->shape,
-                           motion_B_.sample(t).X_WB * B_.shape->X_BS);
+  /// Whether a plane across n parts both on the rest of their ways.
+  bool is_rest_parted(double t, const Vec3& n, double level) const {
+    const auto rest_of = [&](const ShapePath& path, const TwistMotion& motion) -> ShapePath {
+      return {path.shape,          motion.sample(t).X_WB, (1 - t) * path.dp_W,
+              (1 - t) * path.dr_W, path.turning,          path.thickness};
+    };
+    const ShapePath A = rest_of(A_, motion_A_), B = rest_of(B_, motion_B_);
+    BothEnds ends(A, B);
+    return ends.parts(n, level, level);
   }
   /// Between a time at which they may be there and one at which they overlap too much.
   double last_free(double low, double high, double level) const {
@@ -266,16 +311,16 @@ class Walk {
   const ShapePath& B_;
   TwistMotion motion_A_, motion_B_;
   std::optional<MovingCore> core_A_, core_B_;  ///< If both are convex.
-  bool has_bound_, is_mesh_and_convex_;
+  bool has_bound_, are_bounded_, is_mesh_and_convex_;
   double length_;  ///< No point goes farther against the other body [m].
 };
 
 /// The part of the way that is free; `beginning` as in Walk.
-double free_part(const ShapePath& A, const ShapePath& B, double deep_share,
+double free_part(const ShapePath& A, const ShapePath& B, const Vec3& likely, double deep_share,
                  std::optional<Beginning>& beginning) {
   const double thinner = thinner_of(A, B);
   const double deepest = beginning ? beginning->level : -deep_share * thinner;
-  if (are_parted(A, B, deepest, beginning ? deepest : deepest + deeper_share * thinner)) {
+  if (are_parted(A, B, likely, deepest, beginning ? deepest : deepest + deeper_share * thinner)) {
     if (!beginning) beginning = {deepest};
     return 1;
   }
@@ -284,21 +329,24 @@ double free_part(const ShapePath& A, const ShapePath& B, double deep_share,
 
 }  // namespace
 
-FreePath free_path(const ShapePath& A, const ShapePath& B, double deep_share) {
+FreePath free_path(const ShapePath& A, const ShapePath& B, double deep_share, const Vec3& likely_W) {
   std::optional<Beginning> beginning;
-  const double part = free_part(A, B, deep_share, beginning);
-  return {part, beginning->overlap};
+  const double part = free_part(A, B, likely_W, deep_share, beginning);
+  return {part, beginning->overlap.value_or(false)};
 }
 
-FreePath free_segments(std::span<const PathSegment> legs, double deep_share) {
+FreePath free_segments(std::span<const PathSegment> legs, double deep_share, const Vec3& likely_W) {
   std::optional<Beginning> beginning;
   double gone = 0;
   for (const PathSegment& leg : legs) {
-    const double part = free_part(leg.A, leg.B, deep_share, beginning);
+    const double part = free_part(leg.A, leg.B, likely_W, deep_share, beginning);
     gone += part;
-    if (part < 1) break;
+    if (part == 1) continue;
+    // Planes have parted them on the first leg, also where they overlapped a little.
+    if (!beginning->overlap) beginning->overlap = Walk(legs[0].A, legs[0].B).distance(0).distance < 0;
+    break;
   }
-  return {gone, beginning && beginning->overlap};
+  return {gone, beginning && beginning->overlap.value_or(false)};
 }
 
 }  // namespace rigor

@@ -190,7 +190,7 @@ FreePath PassingGuard::free_share_of_bent(const FarPair& pair, const BulkBodies&
     legs.back().B.X_WB.p -= bodies.x[at(pair.body_A)];
   }
   // The number of free legs becomes a part of the step again.
-  const FreePath gone = free_segments(legs, deep_share);
+  const FreePath gone = free_segments(legs, deep_share, pair.normal_W);
   const std::size_t last = std::min(static_cast<std::size_t>(gone.part), legs.size() - 1);
   const double into_last = gone.part - static_cast<double>(last);
   return {times[last] + into_last * (times[last + 1] - times[last]), gone.overlap};
@@ -208,7 +208,8 @@ FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies)
                      thickness(body, shape)};
   };
   if (bends(pair.body_A, bodies) || bends(pair.body_B, bodies)) return free_share_of_bent(pair, bodies);
-  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), deep_share);
+  return free_path(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B), deep_share,
+                   pair.normal_W);
 }
 
 /// Takes over how far a pair may go; returns whether that is less than before.
@@ -291,7 +292,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
       if (shorten(pair, bodies)) is_done = false;
     }
     if (is_done) break;
-    add_followers(pairs, before, bodies);
+    add_followers(pairs, before, manifolds, bodies);
   }
 
   for (int i = 0; i < bodies.count(); ++i) {

@@ -81,6 +81,7 @@ class PassingGuard {
   /// Two shapes whose bodies move far against each other, and how far they may go.
   struct FarPair {
     int body_A, body_B, shape_A, shape_B;
+    Vec3 normal_W;  ///< Of their contact at the beginning, from A to B; zero: they had none.
     double share = 1;
     bool is_checked = false;
     bool overlaps = false;  ///< Since the beginning.
@@ -112,14 +113,16 @@ class PassingGuard {
     return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
   }
   float find_reaches(const BulkBodies& bodies);
-  float find_depths(std::size_t pairs, const ManifoldList& manifolds);
+  float find_contacts(std::size_t pairs, const ManifoldList& manifolds);
   void find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
                 const BulkBodies& bodies);
   void add_escaped(const std::vector<ShapePair>& pairs, double margin, double most, const BulkBodies& bodies);
   void add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
-                     const BulkBodies& bodies);
+                     const ManifoldList& manifolds, const BulkBodies& bodies);
   void sort_found();
-  void add_found();
+  template <class NormalOf>
+  void add_found(const NormalOf& normal_of);
+  Vec3 normal_of(std::size_t pair, const ManifoldList& manifolds) const;
   void sweep_boxes(const BulkBodies& bodies);
   template <class Visit>
   void for_near(int body, const Visit& visit);
@@ -163,6 +166,7 @@ class PassingGuard {
   std::vector<Plan> planned_;     ///< Of each body.
   std::vector<float> reach_;      ///< How far points of each body have moved [m].
   std::vector<float> depths_;     ///< Overlap of each pair that was looked for at the beginning [m].
+  std::vector<int> contacts_;     ///< A manifold of each of these pairs; -1: it has none.
   std::vector<ShapePair> found_;  ///< That may be in far_ already.
   bool is_swept_ = false;         ///< Whether swept_ is of this step.
   std::vector<Aabb> swept_;       ///< Boxes that the bodies do not leave in the step.

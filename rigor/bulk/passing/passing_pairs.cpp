@@ -118,12 +118,14 @@ float PassingGuard::find_reaches(const BulkBodies& bodies) {
   return most;
 }
 
-/// Finds how deep the pairs overlapped at the beginning; returns the deepest of all [m].
-float PassingGuard::find_depths(std::size_t pairs, const ManifoldList& manifolds) {
+/// Finds where and how deep the pairs touched at the beginning; returns the deepest of all [m].
+float PassingGuard::find_contacts(std::size_t pairs, const ManifoldList& manifolds) {
   depths_.assign(pairs, 0);
+  contacts_.assign(pairs, -1);
   float deepest = 0;
   for (std::size_t k = 0; k < manifolds.size(); ++k) {
     const ManifoldView manifold = manifolds.view(k);
+    contacts_[at(manifolds.pair(k))] = static_cast<int>(k);
     float& depth = depths_[at(manifolds.pair(k))];
     for (int i = 0; i < manifold.point_count; ++i) depth = std::max(depth, -manifold.points[i].gap);
     deepest = std::max(deepest, depth);
@@ -150,7 +152,7 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
   const auto unseen = [&](double thickness, double depth) {
     return std::max(least_share * thickness, near_share * thickness - share_of_depth * depth);
   };
-  const double deepest = static_cast<double>(find_depths(pairs.size(), manifolds));
+  const double deepest = static_cast<double>(find_contacts(pairs.size(), manifolds));
   if (2 * most > unseen(thinnest, deepest)) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const ShapePair& pair = pairs[k];
@@ -159,7 +161,7 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
                    reach_B = static_cast<double>(reach_[at(pair.body_B)]);
       if (reach_A + reach_B <= unseen(thinnest, depth)) continue;
       if (is_far(pair, unseen(thinner(pair), depth), bodies))
-        far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+        far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, normal_of(k, manifolds)});
     }
   }
   add_escaped(pairs, margin, most, bodies);
@@ -192,13 +194,13 @@ void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margi
   erase_known(pairs, found_);
   std::erase_if(found_,
                 [&](const ShapePair& pair) { return !is_far(pair, deep_share * thinner(pair), bodies); });
-  add_found();
+  add_found([](const ShapePair&) -> Vec3 { return Vec3::Zero(); });
 }
 
 /// Adds the pairs of which one body has been stopped since `before` and the other goes on: contacts do not
 /// know of it, so that what moves as fast as a body that is stopped would go into it, a little in each step.
 void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
-                                 const BulkBodies& bodies) {
+                                 const ManifoldList& manifolds, const BulkBodies& bodies) {
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t group = at(group_[at(i)]);
     if (!bodies.is_dynamic(i) || before[group] == changes_[group]) continue;
@@ -221,7 +223,11 @@ void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std:
     });
   }
   sort_found();
-  add_found();
+  add_found([&](const ShapePair& pair) -> Vec3 {
+    const auto known = std::lower_bound(pairs.begin(), pairs.end(), pair, shapes_in_order);
+    const bool is_known = known != pairs.end() && are_same_shapes(*known, pair);
+    return is_known ? normal_of(at(known - pairs.begin()), manifolds) : Vec3(Vec3::Zero());
+  });
 }
 
 /// A pair may have been found by each of its bodies.
@@ -230,13 +236,21 @@ void PassingGuard::sort_found() {
   found_.erase(std::unique(found_.begin(), found_.end(), are_same_shapes), found_.end());
 }
 
-/// What is known of a pair that was found before stays.
-void PassingGuard::add_found() {
+/// What is known of a pair that was found before stays. normal_of(pair): see FarPair::normal_W.
+template <class NormalOf>
+void PassingGuard::add_found(const NormalOf& normal_of) {
   erase_known(far_, found_);
   const std::ptrdiff_t known = std::ssize(far_);
-  for (const ShapePair& pair : found_) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+  for (const ShapePair& pair : found_)
+    far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, normal_of(pair)});
   std::inplace_merge(far_.begin(), far_.begin() + known, far_.end(), shapes_in_order);
   found_.clear();
+}
+
+/// Normal of the contact that a pair which was looked for had at the beginning; zero: it had none.
+Vec3 PassingGuard::normal_of(std::size_t pair, const ManifoldList& manifolds) const {
+  const int contact = contacts_[pair];
+  return contact < 0 ? Vec3(Vec3::Zero()) : vector_of(manifolds.view(at(contact)).normal).normalized();
 }
 
 /// Boxes that bodies do not leave in the step: their centres go straight, and their points are no farther

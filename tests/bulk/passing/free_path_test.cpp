@@ -73,7 +73,7 @@ void expect_free(const ShapePath& A, const ShapePath& B, double part) {
 }
 
 TEST(FreePath, ConvexShapesAreNotDeeperThanTheyMayBe) {
-  Draw draw(41);
+  Draw draw(41), others(43);
   int whole = 0;
   for (int k = 0; k < 1000; ++k) {
     SCOPED_TRACE(k);
@@ -88,6 +88,17 @@ TEST(FreePath, ConvexShapesAreNotDeeperThanTheyMayBe) {
     const double part = free_path(A, B, kDeepShare).part;
     whole += part == 1 ? 1 : 0;
     expect_free(A, B, part);
+    // Whatever direction is tried first, good or bad, saves time only.
+    for (const Vec3& likely : {now.n_W, others.direction()}) {
+      const double other = free_path(A, B, kDeepShare, likely).part;
+      if (other == part) continue;
+      EXPECT_EQ(other, 1);
+      expect_free(A, B, other);
+    }
+    // Farther apart most never meet.
+    ShapePath far = B;
+    far.X_WB.p += others.uniform(0, 0.6) * now.n_W;
+    expect_free(A, far, free_path(A, far, kDeepShare).part);
   }
   EXPECT_GT(whole, 300);
   EXPECT_LT(whole, 1000);
