@@ -79,7 +79,7 @@ bool are_ellipsoid_pair(const PlacedForm& a, const PlacedForm& b) {
 }
 /// Whether one of two shapes is a mesh, and the other is treated against it in 32 bits.
 bool is_on_mesh(const PlacedForm& a, const PlacedForm& b) {
-  return bool((a.kind == Kind::mesh) & b.is_convex()) | bool((b.kind == Kind::mesh) & a.is_convex());
+  return (a.kind == Kind::mesh && b.is_convex()) || (b.kind == Kind::mesh && a.is_convex());
 }
 SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
   return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
