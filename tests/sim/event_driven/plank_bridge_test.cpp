@@ -4,6 +4,7 @@
 
 #include "random_vectors.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "sim/taut_bridges.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -119,29 +120,9 @@ std::shared_ptr<const Model> hinged_bridge(test::Random& random) {
   const auto near = [&](double value) { return value * random.uniform(0.8, 1.2); };
   constexpr int count = 8;
   const double pitch = near(0.3), width = near(0.5), sag = near(0.02);
-  const auto knot = [&](int i) {
-    const double part = i / static_cast<double>(count);
-    return Vec3(i * pitch, 0, 1 - 4 * sag * part * (1 - part));
-  };
   ModelBuilder builder = test::stepping_builder(0, near(0.5), Vec3(0, 0, -9.81));
-  const auto name = [](int i) { return i < 0 || i >= count ? "world" : "plank" + std::to_string(i); };
-  for (int i = 0; i < count; ++i) {
-    const Vec3 along = knot(i + 1) - knot(i);
-    BodyDescription plank = test::stepping_body(name(i), Box{Vec3(0.425 * pitch, 0.5 * width, 0.015)},
-                                                0.5 * (knot(i) + knot(i + 1)));
-    plank.mass = {};
-    plank.q_WU = Eigen::AngleAxisd(std::atan2(-along.z(), along.x()), Vec3::UnitY());
-    builder.add_body(plank);
-  }
-  for (int i = 0; i <= count; ++i) {
-    ModelBuilder::JointDescription hinge;
-    hinge.name = "hinge" + std::to_string(i);
-    hinge.type = JointType::hinge;
-    hinge.bodies = {name(i - 1), name(i)};
-    hinge.anchors = {knot(i)};
-    hinge.axis = Vec3::UnitY();
-    builder.add_joint(hinge);
-  }
+  test::add_hinged_planks(
+      {count, pitch, sag, 1, Vec3(0.425 * pitch, 0.5 * width, 0.015)}, [] { return std::nullopt; }, builder);
   BodyDescription barrel =
       test::stepping_body("barrel", Cylinder{near(0.2), 0.4 * width}, Vec3(near(1.2), 0, 1.3));
   barrel.mass = {};
