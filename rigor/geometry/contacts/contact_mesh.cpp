@@ -6,6 +6,7 @@
 #include "rigor/geometry/contacts/contact_pair.hpp"
 #include "rigor/geometry/contacts/extended_facet.hpp"
 #include "rigor/geometry/contacts/face_clip.hpp"
+#include "rigor/geometry/contacts/patch_window.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
@@ -34,20 +35,13 @@ MeshFacet triangle_facet(const Mesh& mesh, int t) {
   MeshFacet facet{.normal = topology.normal,
                   .vertices = {vertices.begin(), vertices.end()},
                   .patch = topology.patch,
-                  .patch_area = mesh.tree->patch_areas[at(topology.patch)]};
+                  .patch_area = mesh.tree->patch_areas[at(topology.patch)],
+                  .is_part = mesh.tree->other_of_patch[at(topology.patch)] >= 0};
   for (std::size_t k = 0; k < 3; ++k) {
     facet.corners.push_back(mesh.mesh->vertices[at(vertices[k])]);
     facet.corner_is_real.push_back(topology.is_patch_corner[k]);
     facet.edge_is_real.push_back(topology.edge[k] != MeshEdgeKind::flat);
-    facet.edges.push_back(3 * t + static_cast<int>(k));
-    // The neighbour's number where that is the lower one.
-    const int neighbour = topology.neighbour[k];
-    if (neighbour < 0 || neighbour > t) continue;
-    const std::array<int, 3>& other = mesh.mesh->triangles[at(neighbour)];
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (other[j] == vertices[(k + 1) % 3] && other[(j + 1) % 3] == vertices[k])
-        facet.edges[k] = 3 * neighbour + static_cast<int>(j);
-    }
+    facet.edges.push_back(edge_number(*mesh.mesh, *mesh.tree, t, static_cast<int>(k)));
   }
   return facet;
 }
@@ -64,17 +58,27 @@ MeshFacet face_facet(const Mesh& mesh, const MeshFace& face) {
   return facet;
 }
 
-/// The facets of the mesh near a box, each once: faces, and triangles that belong to none.
-std::vector<MeshFacet> facets_near(const Mesh& mesh, const Aabb& box_M) {
+/// The facets of the mesh near a shape, each once: faces, patches that are convex where the shape is, and
+/// the triangles of others.
+std::vector<MeshFacet> facets_near(const Mesh& mesh, const Pose& X_OM, const ContactShape& shape,
+                                   const Aabb& box_M, double reach) {
   std::vector<MeshFacet> facets;
   std::vector<int> faces;
+  std::map<int, bool> is_convex_there;  // By patch.
   for (const int t : mesh.tree->overlapping(box_M)) {
-    const int face = mesh.tree->face_of_patch[at(mesh.tree->triangles[at(t)].patch)];
-    if (face < 0) {
-      facets.push_back(triangle_facet(mesh, t));
-    } else {
+    const int patch = mesh.tree->triangles[at(t)].patch;
+    const int face = mesh.tree->face_of_patch[at(patch)];
+    if (face >= 0) {
       faces.push_back(face);
+      continue;
     }
+    const auto [known, is_new] = is_convex_there.try_emplace(patch, false);
+    if (is_new) {
+      std::optional<MeshFacet> window = patch_window(mesh, patch, X_OM, shape, reach);
+      known->second = window.has_value();
+      if (window) facets.push_back(std::move(*window));
+    }
+    if (!known->second) facets.push_back(triangle_facet(mesh, t));
   }
   for (const int face : sorted_unique(std::move(faces)))
     facets.push_back(face_facet(mesh, mesh.tree->faces[at(face)]));
@@ -125,7 +129,7 @@ bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M
     case Feature::Kind::vertex:
       return is_in_vertex_cone(mesh, feature.index, n_M, slack.border);
     case Feature::Kind::edge:
-      return is_in_edge_cone(mesh, feature.index, n_M, slack.border);
+      return feature.index != kNoMeshEdge && is_in_edge_cone(mesh, feature.index, n_M, slack.border);
     default:
       return std::abs(facing) > 0.5 && n_M.cross(normal).norm() <= slack.face;
   }
@@ -176,6 +180,8 @@ class FacetContacts {
         center_M_(X_OM.inverse() * X_OB.p),
         radius_(radius_about(b, Vec3::Zero())) {}
 
+  const ContactShape& shape() const { return shape_; }
+
   void add(const MeshFacet& facet) {
     // Most facets near a shape lie off its ball or in planes that it does not reach.
     const Aabb box = box_of(facet.corners);
@@ -193,7 +199,7 @@ class FacetContacts {
     merge_ = std::max(merge_, pair.scale.merge);
     std::vector<ContactPoint> found = convex_contacts(pair, distance);
     // A part of a patch is asked for its nearest point only if the patch has none that is nearer.
-    const bool is_part = !is_whole(facet);
+    const bool is_part = facet.is_part;
     const bool is_nearest = !is_part || distance.distance <= of_hull(facet).distance + pair.scale.merge;
     if (is_nearest) add_witness_along(pair, distance, found);
     // What touches through a side that is none of the surface is kept aside. The shape may leave a part along
@@ -223,7 +229,7 @@ class FacetContacts {
       // How deep the patch is entered: by its other facets, or by its hull if that is left along the face's
       // normal.
       const FlatFace front = face.polygon(0);
-      const bool leaves_hull_along = !is_whole(facet) && is_along(of_hull(facet), facet);
+      const bool leaves_hull_along = facet.is_part && is_along(of_hull(facet), facet);
       double depth = tolerance_;
       if (leaves_hull_along) depth = std::max(depth, tolerance_ - of_hull(facet).distance);
       for (const auto& [contact, patch] : contacts_) {
@@ -231,7 +237,7 @@ class FacetContacts {
       }
       const double separated = separation(pair, front.normal);
       if (separated < -depth) {
-        if (is_whole(facet)) add_over_concave_edges(facet, front, -separated);
+        if (!facet.is_part) add_over_concave_edges(facet, front, -separated);
         continue;
       }
       std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, front, true);
@@ -304,7 +310,6 @@ class FacetContacts {
     const double tilt = (contact.n_W - distance.n_W).norm();
     return tilt * size <= reach_ ? tilt : 0;
   }
-  bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
   /// Whether the point of the shape is inside the mesh, as deep as the contact says: under another part of
   /// the surface, or outside, it is none of the face's.
   bool is_within_reach(const ContactPoint& contact) const {
@@ -319,7 +324,8 @@ class FacetContacts {
   const DistanceResult& of_hull(const MeshFacet& facet) {
     const auto known = of_hulls_.find(facet.patch);
     if (known != of_hulls_.end()) return known->second;
-    const std::vector<Vec3>& hull = mesh_.tree->patch_hulls[at(mesh_.tree->hull_of_patch[at(facet.patch)])];
+    const std::vector<Vec3>& hull =
+        mesh_.tree->other_patches[at(mesh_.tree->other_of_patch[at(facet.patch)])].hull;
     const DistanceResult d = convex_distance(make_points_core(hull), X_OM_, shape_.core(), shape_.X_OS());
     return of_hulls_.emplace(facet.patch, d).first->second;
   }
@@ -348,7 +354,7 @@ std::vector<ContactPoint> mesh_contacts(const Mesh& mesh, const Pose& X_OM, cons
   }
   FacetContacts contacts(mesh, X_OM, b, X_OB, tolerance, reach);
   const Aabb box_M = axis_aligned_box(b, X_OM.inverse() * X_OB).grown(reach);
-  for (const MeshFacet& facet : facets_near(mesh, box_M)) contacts.add(facet);
+  for (const MeshFacet& facet : facets_near(mesh, X_OM, contacts.shape(), box_M, reach)) contacts.add(facet);
   contacts.add_blocked();
   contacts.add_deepest();
   contacts.add_corner_if_empty();

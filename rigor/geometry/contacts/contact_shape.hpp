@@ -88,7 +88,11 @@ struct ContactScale {
   double merge;      ///< Contacts this close are one.
 };
 
-/// A flat piece of a mesh, a face or a triangle, with what the mesh makes of its corners and sides.
+/// In place of the number of an edge: the side is none of the surface, and nothing comes near it.
+inline constexpr int kNoMeshEdge = 0x1fffffff;
+
+/// A flat piece of a mesh, a face, a triangle or a part of a patch, with what the mesh makes of its corners
+/// and sides.
 struct MeshFacet {
   std::vector<Vec3> corners;  ///< Of a convex polygon, in the frame of the mesh [m].
   Vec3 normal;                ///< Unit.
@@ -96,7 +100,8 @@ struct MeshFacet {
   std::vector<int> edges;  ///< A number for the side from corner k to the next, the same from its other face.
   std::vector<bool> corner_is_real, edge_is_real;
   int patch;
-  double patch_area;  ///< [m²].
+  double patch_area;     ///< [m²].
+  bool is_part = false;  ///< One of several facets of its patch that a shape may touch at once.
 };
 
 /// A shape placed in a frame O: axes of W, origin near both shapes, so that differences of coordinates keep

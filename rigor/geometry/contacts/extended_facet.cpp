@@ -20,7 +20,9 @@ Vec3 direction_of_end(const Vec3& outward, const Vec3& next_side) {
 MeshFacet extended_over_concave_edges(const Mesh& mesh, const MeshFacet& facet, double length) {
   const std::size_t count = facet.corners.size();
   const auto is_concave = [&](std::size_t k) {
-    return mesh.tree->triangles[at(facet.edges[k] / 3)].edge[at(facet.edges[k] % 3)] == MeshEdgeKind::concave;
+    const int edge = facet.edges[k];
+    return edge != kNoMeshEdge &&
+           mesh.tree->triangles[at(edge / 3)].edge[at(edge % 3)] == MeshEdgeKind::concave;
   };
   const auto outward = [&](std::size_t k) {
     return (facet.corners[(k + 1) % count] - facet.corners[k]).cross(facet.normal).normalized();

@@ -25,17 +25,6 @@ struct BorderSide {
   int number;  ///< Of the edge: 3 t + k of the lower of its triangles.
 };
 
-/// Number of the edge at corner k of triangle t, the same from both sides.
-int edge_number(const TriangleMesh& mesh, const TriangleTree& tree, int t, int k) {
-  const int other = tree.triangles[at(t)].neighbour[at(k)];
-  if (other < 0 || other > t) return 3 * t + k;
-  const int start = mesh.triangles[at(t)][at((k + 1) % 3)];
-  for (int j = 0; j < 3; ++j) {
-    if (mesh.triangles[at(other)][at(j)] == start) return 3 * other + j;
-  }
-  return 3 * t + k;
-}
-
 /// The border of a patch as one loop of the vertices where creases end, bend or meet; nothing if it has
 /// several loops or touches itself.
 std::optional<MeshFace> border_loop(const TriangleMesh& mesh, const TriangleTree& tree,
@@ -72,17 +61,27 @@ std::optional<MeshFace> border_loop(const TriangleMesh& mesh, const TriangleTree
   return face;
 }
 
+std::vector<Vec3> corners_of(const TriangleMesh& mesh, const MeshFace& face) {
+  std::vector<Vec3> corners;
+  for (const int v : face.corners) corners.push_back(mesh.vertices[at(v)]);
+  return corners;
+}
+
+/// Unit normal of a polygon by the sum over its corners (Newell).
+Vec3 polygon_normal(const std::vector<Vec3>& corners) {
+  Vec3 twice = Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    twice += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+  return twice.stableNormalized();
+}
+
 /// Marks the corners where the border turns; false if it is not convex or turns more than once.
 bool finish_convex(const TriangleMesh& mesh, const TriangleTree& tree, MeshFace& face) {
   const std::size_t count = face.corners.size();
   const auto corner = [&](std::size_t k) -> const Vec3& {
     return mesh.vertices[at(face.corners[k % count])];
   };
-  // The normal of the polygon by the sum over its corners (Newell).
-  Vec3 twice = Vec3::Zero();
-  for (std::size_t k = 1; k + 1 < count; ++k)
-    twice += (corner(k) - corner(0)).cross(corner(k + 1) - corner(0));
-  face.normal = twice.stableNormalized();
+  face.normal = polygon_normal(corners_of(mesh, face));
   if (face.normal.dot(tree.triangles[at(face.patch)].normal) < 0.5) return false;
 
   double turned = 0;
@@ -98,24 +97,21 @@ bool finish_convex(const TriangleMesh& mesh, const TriangleTree& tree, MeshFace&
   return std::abs(turned - 2 * std::numbers::pi) < 1e-3;
 }
 
-/// The largest height of a vertex of the triangles over or under the plane of the face [m].
-double unevenness(const TriangleMesh& mesh, const MeshFace& face, const std::vector<int>& triangles) {
-  const Vec3& p = mesh.vertices[at(face.corners.front())];
+/// The largest height of a vertex of the triangles over or under the plane through p [m].
+double unevenness(const TriangleMesh& mesh, const Vec3& normal, const Vec3& p,
+                  const std::vector<int>& triangles) {
   double height = 0;
   for (const int t : triangles) {
     for (const int v : mesh.triangles[at(t)])
-      height = std::max(height, std::abs(face.normal.dot(mesh.vertices[at(v)] - p)));
+      height = std::max(height, std::abs(normal.dot(mesh.vertices[at(v)] - p)));
   }
   return height;
 }
 
-double size_of(const TriangleMesh& mesh, const MeshFace& face) {
-  Vec3 lower = mesh.vertices[at(face.corners.front())], upper = lower;
-  for (const int v : face.corners) {
-    lower = lower.cwiseMin(mesh.vertices[at(v)]);
-    upper = upper.cwiseMax(mesh.vertices[at(v)]);
-  }
-  return (upper - lower).maxCoeff();
+double longest_side(const std::vector<Vec3>& corners) {
+  Aabb box{corners.front(), corners.front()};
+  for (const Vec3& p : corners) box = box.united({p, p});
+  return (box.upper - box.lower).maxCoeff();
 }
 
 /// Corners of the convex hull of a flat patch, by Andrew's monotone chain in the plane of its first triangle.
@@ -145,6 +141,42 @@ std::vector<Vec3> patch_hull(const TriangleMesh& mesh, const TriangleTree& tree,
   }
   for (Vec3& p : hull) p = R * p;
   return hull;
+}
+
+MeshPatch other_patch(const TriangleMesh& mesh, const TriangleTree& tree, const std::vector<int>& triangles) {
+  MeshPatch patch{.hull = patch_hull(mesh, tree, triangles)};
+  if (patch.hull.size() < 3) return patch;
+  patch.normal = polygon_normal(patch.hull);
+  patch.is_flat = unevenness(mesh, patch.normal, patch.hull.front(), triangles) <=
+                  kFaceFlatness * longest_side(patch.hull);
+  return patch;
+}
+
+/// Sides of the border between two corners are one straight edge with the least of their numbers, as those of
+/// a face are. Where the border touches itself each side is by itself.
+void note_straight_edges(const TriangleMesh& mesh, const std::vector<int>& triangles, TriangleTree& tree) {
+  std::multimap<int, BorderSide> sides;
+  for (const int t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      if (tree.triangles[at(t)].edge[at(k)] == MeshEdgeKind::flat) continue;
+      const std::array<int, 3>& corners = mesh.triangles[at(t)];
+      sides.emplace(corners[at(k)], BorderSide{corners[at((k + 1) % 3)], edge_number(mesh, tree, t, k)});
+    }
+  }
+  for (const auto& [start, first] : sides) {
+    if (!tree.is_crease_corner[at(start)]) continue;
+    // From this corner to the next one.
+    std::vector<int> numbers{first.number};
+    for (int v = first.to; !tree.is_crease_corner[at(v)] && sides.count(v) == 1;) {
+      const BorderSide& side = sides.find(v)->second;
+      numbers.push_back(side.number);
+      v = side.to;
+    }
+    const int least = *std::ranges::min_element(numbers);
+    for (const int number : numbers) {
+      if (number != least) tree.straight_edges[number] = least;
+    }
+  }
 }
 
 /// Whether the angles of the triangles at each vertex sum to less than 2π, so that faces with convex edges
@@ -183,8 +215,9 @@ void find_mesh_faces(const TriangleMesh& mesh, TriangleTree& tree) {
 
   tree.faces.clear();
   tree.face_of_patch.assign(mesh.triangles.size(), -1);
-  tree.patch_hulls.clear();
-  tree.hull_of_patch.assign(mesh.triangles.size(), -1);
+  tree.other_patches.clear();
+  tree.other_of_patch.assign(mesh.triangles.size(), -1);
+  tree.straight_edges.clear();
   bool may_be_convex = tree.is_closed && tree.shell_vertices.size() == 1 && has_only_convex_edges(tree);
   std::vector<std::vector<int>> loops;
   double uneven = 0;
@@ -197,17 +230,21 @@ void find_mesh_faces(const TriangleMesh& mesh, TriangleTree& tree) {
     // whole.
     std::optional<MeshFace> face = border_loop(mesh, tree, triangles);
     if (face) face->patch = static_cast<int>(patch);
+    const auto height = [&] {
+      return unevenness(mesh, face->normal, mesh.vertices[at(face->corners.front())], triangles);
+    };
     const bool is_face = face && finish_convex(mesh, tree, *face) &&
-                         unevenness(mesh, *face, triangles) <= kFaceFlatness * size_of(mesh, *face);
+                         height() <= kFaceFlatness * longest_side(corners_of(mesh, *face));
     if (!is_face) {
       may_be_convex = false;
       if (is_single) continue;
-      tree.hull_of_patch[patch] = static_cast<int>(tree.patch_hulls.size());
-      tree.patch_hulls.push_back(patch_hull(mesh, tree, triangles));
+      tree.other_of_patch[patch] = static_cast<int>(tree.other_patches.size());
+      tree.other_patches.push_back(other_patch(mesh, tree, triangles));
+      note_straight_edges(mesh, triangles, tree);
       continue;
     }
     if (may_be_convex) loops.push_back(face->corners);
-    uneven = std::max(uneven, unevenness(mesh, *face, triangles));
+    uneven = std::max(uneven, height());
     if (is_single) continue;
     tree.face_of_patch[patch] = static_cast<int>(tree.faces.size());
     tree.faces.push_back(std::move(*face));

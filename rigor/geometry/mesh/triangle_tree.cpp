@@ -156,4 +156,14 @@ std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh)
   return tree;
 }
 
+int edge_number(const TriangleMesh& mesh, const TriangleTree& tree, int t, int k) {
+  const int other = tree.triangles[at(t)].neighbour[at(k)];
+  if (other < 0 || other > t) return 3 * t + k;
+  const int start = mesh.triangles[at(t)][at((k + 1) % 3)];
+  for (int j = 0; j < 3; ++j) {
+    if (mesh.triangles[at(other)][at(j)] == start) return 3 * other + j;
+  }
+  return 3 * t + k;
+}
+
 }  // namespace rigor

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct MeshFace {
       is_corner;               ///< Whether the border turns at corner k, or only another crease begins there.
   Vec3 normal = Vec3::Zero();  ///< Unit, outward.
   int patch = 0;               ///< The patch that it is.
+};
+
+/// Several coplanar triangles whose border is no convex polygon: a floor around a pillar.
+struct MeshPatch {
+  std::vector<Vec3> hull;      ///< Corners of its convex hull, counter-clockwise seen from the front [m].
+  Vec3 normal = Vec3::Zero();  ///< Unit, outward.
+  bool is_flat = false;        ///< All of it lies in one plane as well as a face does.
 };
 
 /// Hierarchy of boxes over the triangles of a mesh, with the kind of each edge and corner that neighbouring
@@ -56,14 +64,16 @@ struct TriangleTree {
   std::vector<Triangle> triangles;   ///< One per triangle of the mesh.
   std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
   std::vector<std::vector<int>> vertex_triangles;  ///< Triangles at each vertex, ascending.
-  std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
-  std::vector<MeshFace> faces;      ///< Patches of several triangles that are convex polygons.
-  std::vector<int> face_of_patch;   ///< Index in `faces` of each patch at its least triangle; else -1.
-  std::vector<std::vector<Vec3>> patch_hulls;  ///< Corners of the convex hulls of the other patches [m].
-  std::vector<int> hull_of_patch;              ///< Index there, as face_of_patch.
-  std::shared_ptr<const Shape> convex;         ///< The solid inside, if it is convex; else null.
-  double convex_error = 0;          ///< How far the two may differ: the surface is flat to this [m].
-  std::vector<int> shell_vertices;  ///< One vertex of each part that is connected by edges.
+  std::vector<double> patch_areas;       ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
+  std::vector<MeshFace> faces;           ///< Patches of several triangles that are convex polygons.
+  std::vector<int> face_of_patch;        ///< Index in `faces` of each patch at its least triangle; else -1.
+  std::vector<MeshPatch> other_patches;  ///< Those of several triangles that are no faces.
+  std::vector<int> other_of_patch;       ///< Index there, as face_of_patch.
+  std::map<int, int> straight_edges;     ///< Number of the straight edge that an edge of their borders is a
+                                         ///< part of, where it is another one.
+  std::shared_ptr<const Shape> convex;   ///< The solid inside, if it is convex; else null.
+  double convex_error = 0;               ///< How far the two may differ: the surface is flat to this [m].
+  std::vector<int> shell_vertices;       ///< One vertex of each part that is connected by edges.
   std::vector<bool>
       is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
   bool is_closed =
@@ -73,6 +83,10 @@ struct TriangleTree {
   /// Triangles whose boxes overlap the box, ascending.
   std::vector<int> overlapping(const Aabb& box) const;
 };
+
+/// Number of the edge from corner k of triangle t to the next, the same from both its sides: 3 t + k of the
+/// lower triangle.
+int edge_number(const TriangleMesh& mesh, const TriangleTree& tree, int t, int k);
 
 /// The convex solid that a mesh bounds, or the shape itself.
 inline const Shape& convex_solid(const Shape& shape) {
