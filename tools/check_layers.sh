@@ -24,7 +24,7 @@ api: core math geometry model dynamics sim bulk io view
 '
 # layer: its rooms from the lowest up; `.` stands for the files that lie in the folder of the layer itself.
 rooms='
-geometry: exact lanes shape mass broad_phase convex mesh decomposition distance mesh_penetration contacts motion rays
+geometry: exact lanes shape mass broad_phase convex mesh rays decomposition distance mesh_penetration contacts motion
 solver: linear coulomb motion cones .
 contact: system resting impact penalty .
 bulk: lanes threads state narrow_phase broad_phase matching graph direct contacts gyroscopic joints sleep passing .

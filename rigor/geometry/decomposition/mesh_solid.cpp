@@ -6,7 +6,9 @@
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/convex_decomposition.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/rays/ray_mesh.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -54,6 +56,27 @@ const std::vector<std::array<int, 2>>& MeshSolid::touching_pieces() const {
 const WindingNumber& MeshSolid::winding() const {
   std::call_once(has_winding_, [this] { winding_ = std::make_unique<const WindingNumber>(*mesh_); });
   return *winding_;
+}
+
+double MeshSolid::shortest_way_through() const {
+  std::call_once(has_way_, [this] {
+    if (!tree_->is_closed || mesh_->triangles.empty()) return;
+    const Mesh mesh{mesh_, tree_, nullptr};
+    double shortest = tree_->size;
+    for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
+      const Vec3& n = tree_->triangles[t].normal;
+      if (n.isZero(0)) continue;
+      Vec3 middle = Vec3::Zero();
+      for (const int v : mesh_->triangles[t]) middle += mesh_->vertices[at(v)] / 3;
+      // From just below the triangle, so that it is not met itself.
+      const double below = kTouching * tree_->size;
+      const ShapeLine line{middle, -n};
+      const auto out = first_mesh_crossing(mesh, {line, line.at(below), below, shortest});
+      if (out) shortest = std::min(shortest, out->s);
+    }
+    shortest_way_ = shortest;
+  });
+  return shortest_way_;
 }
 
 std::shared_ptr<const MeshSolid> solid_of(const Mesh& mesh) {
