@@ -189,8 +189,8 @@ std::optional<MeshFacet> patch_window(const Mesh& mesh, int patch, const Pose& X
   // The patch is convex there if it fills the polygon of its corners, and that turns to the left everywhere.
   const std::vector<WindowCorner> corners = window_corners(window, pieces, tree);
   if (corners.size() < 3) return {};
-  std::vector<Vec2> polygon;
-  for (const WindowCorner& corner : corners) polygon.push_back(corner.p);
+  std::vector<Vec2> polygon(corners.size());
+  std::ranges::transform(corners, polygon.begin(), &WindowCorner::p);
   if (std::abs(area_of(polygon) - area) > kRounding * window.area()) return {};
 
   MeshFacet facet{.corners = {},
