@@ -168,6 +168,8 @@ void note_straight_edges(const TriangleMesh& mesh, const std::vector<int>& trian
     // From this corner to the next one.
     std::vector<int> numbers{first.number};
     for (int v = first.to; !tree.is_crease_corner[at(v)] && sides.count(v) == 1;) {
+      // Of surfaces that are not orientable, borders need not come to a corner.
+      if (numbers.size() > sides.size()) break;
       const BorderSide& side = sides.find(v)->second;
       numbers.push_back(side.number);
       v = side.to;
