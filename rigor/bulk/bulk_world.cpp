@@ -29,9 +29,13 @@ constexpr double margin_steps = 2;
 /// of parts is known up to its rounding.
 constexpr double most_parts_of_driven = 4096, most_parts = 1024, part_rounding = 1e-9;
 
+/// Steps whose contacts end too deep are taken in this share of them.
+constexpr double share_of_deep = 0.5;
+
 /// Largest product of a substep and the frequency of what joints hold taut, by its bound: explicit steps of a
-/// vibration gain energy without bound beyond 2. No part is shorter for that than this share of a step.
-constexpr double most_taut = 1, most_parts_of_taut = 16;
+/// vibration gain energy without bound beyond 2. No part of a step that was refused is shorter than this
+/// share of it.
+constexpr double most_taut = 1, most_parts_of_refused = 16;
 
 }  // namespace
 
@@ -173,7 +177,7 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
   const double least = h / (s.passing.has_driven() ? most_parts_of_driven : most_parts);
   std::optional<BulkStepReport> report;
-  if (!is_divided) report = take_step(h, whole, h / most_parts_of_taut);
+  if (!is_divided) report = take_step(h, whole, h / most_parts_of_refused);
   if (!report) report = step_in_parts(h, whole, least, is_divided ? h : shorter_part(h));
   // What was given for this step ends with it.
   s.forces.clear_given();
@@ -207,7 +211,8 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, do
     before = memory_;
     last = part;
     is_first = false;
-    const std::optional<BulkStepReport> taken = take_step(part, whole * (part / h), h / most_parts_of_taut);
+    const std::optional<BulkStepReport> taken =
+        take_step(part, whole * (part / h), h / most_parts_of_refused);
     is_refused = !taken;
     if (is_refused) {
       longest_taut = shorter_part(part);
@@ -231,8 +236,9 @@ bool BulkWorld::is_too_taut(double h) const {
   return scratch_->vibration * h > most_taut * settings_.substeps;
 }
 
-/// A part that resolves what was too taut in a step of h, if it vibrates there as fast.
+/// A part that resolves what was too taut in a step of h, if it vibrates there as fast, or too deep.
 double BulkWorld::shorter_part(double h) const {
+  if (!is_too_taut(h)) return share_of_deep * h;
   constexpr double least_share = 0.125, most_share = 0.5;
   const double share = most_taut * settings_.substeps / (scratch_->vibration * h);
   return h * std::clamp(share, least_share, most_share);
@@ -241,10 +247,11 @@ double BulkWorld::shorter_part(double h) const {
 std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double least) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
-  const bool may_be_refused = s.joints->has_loops() && h > least;
-  s.vibration = 0;
-  if (may_be_refused) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.passing.begin(bodies_, h);
+  const bool may_be_taut = s.joints->has_loops() && h > least,
+             may_be_deep = s.passing.may_take_parts() && h > least;
+  s.vibration = 0;
+  if (may_be_taut || may_be_deep) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.energy_bound.begin(bodies_, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   // Colours do not depend on the islands to be solved directly: both at once.
@@ -274,7 +281,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
     s.vibration = std::max(s.vibration, s.joints->fastest_vibration());
-    if (may_be_refused && is_too_taut(h)) {
+    if (may_be_taut && is_too_taut(h)) {
       std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
       return std::nullopt;
     }
@@ -285,6 +292,10 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
   stop_passing(h);
+  if (may_be_deep && s.passing.ends_deeper(s.pairs, s.manifolds, bodies_)) {
+    std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
+    return std::nullopt;
+  }
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
     s.balance.end(bodies_, s.forces.accelerations(), h, s.contacts, s.direct, report);
