@@ -70,8 +70,8 @@ class PassingGuard {
   /// Whether the world of the step that has begun is small enough to take a step anew in parts where its
   /// contacts end too deep.
   bool may_take_parts() const;
-  /// After stop(): whether points of a contact end the step deep in each other, and deeper than they began.
-  /// manifolds: of the beginning.
+  /// After stop(): whether points of a contact end the step deep in each other, and deeper than they began,
+  /// or a pair that overlapped before was stopped. manifolds: of the beginning.
   bool ends_deeper(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                    const BulkBodies& bodies) const;
 

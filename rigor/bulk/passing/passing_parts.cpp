@@ -125,6 +125,7 @@ bool PassingGuard::may_take_parts() const {
 bool PassingGuard::ends_deeper(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                                const BulkBodies& bodies) const {
   if (!is_finite_) return false;
+  if (!jams_.empty()) return true;
   // How far a displacement takes the point r from the centre of a body.
   const auto way = [&](int body, const Vec3& r) -> Vec3 {
     const MotionRecord& m = bodies.motion[at(body)];
