@@ -265,6 +265,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
+  s.held.mark(bodies_);
   s.forces.compute(bodies_, h, settings_.substeps, s.executor);
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains(h);
@@ -289,6 +290,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
     s.contacts.add_up(s.executor);
   }
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
+  if (s.held.are_any()) load_joints_of_held();
   if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
   stop_passing(h);
@@ -402,11 +404,30 @@ void BulkWorld::take_substep(bool is_first, float h) {
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
+/// Gives what contacts do to held bodies in a substep, on average, to the joints of these.
+void BulkWorld::load_joints_of_held() {
+  Scratch& s = *scratch_;
+  const auto is_wanted = [&](int a, int b, bool) { return s.held.contains(a) || s.held.contains(b); };
+  s.contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
+    const ManifoldWrench on_B = total_wrench(manifold);
+    for (const bool is_B : {false, true}) {
+      const int body = is_B ? manifold.body_B : manifold.body_A;
+      if (!s.held.contains(body)) continue;
+      const double part = (is_B ? 1.0 : -1.0) / settings_.substeps;
+      const Vec3 arm = is_B ? manifold.frame.rB : manifold.frame.rA;
+      // Velocities that a free body would get: m dv = F and I dw = T + r x F, with I in W.
+      const Mat3 R_WB = rotation_matrix(bodies_.q[at(body)]);
+      const Vec3 moment = R_WB.transpose() * (on_B.moment + arm.cross(on_B.impulse));
+      s.held.strike(body, part / model_->body(body).mass * on_B.impulse,
+                    part * (R_WB * moment.cwiseQuotient(model_->body(body).moments)));
+    }
+  });
+  if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
+}
+
 /// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
-  // The last sweep has moved held bodies as if they were free.
-  if (s.held.are_any()) s.joints->solve(JointPass::rates, s.executor);
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
   s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
   s.contacts.bounce_apart(*model_, s.held, bodies_, s.executor);

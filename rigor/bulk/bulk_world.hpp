@@ -119,6 +119,7 @@ class BulkWorld {
   void take_substep(bool is_first, float h);
   void find_direct_islands(double substep);
   int solve_directly(double h);
+  void load_joints_of_held();
   void bounce_apart();
   void find_touching_bodies();
   void find_bodies_outside_chains(double h);
