@@ -29,13 +29,13 @@ constexpr double margin_steps = 2;
 /// of parts is known up to its rounding.
 constexpr double most_parts_of_driven = 4096, most_parts = 1024, part_rounding = 1e-9;
 
-/// Steps whose contacts end too deep are taken in this share of them.
-constexpr double share_of_deep = 0.5;
+/// Steps whose contacts end too deep are taken in this share of them, and no part for that is shorter than
+/// this share of a step: springs are 256 times as stiff then.
+constexpr double share_of_deep = 0.5, most_parts_of_deep = 16;
 
 /// Largest product of a substep and the frequency of what joints hold taut, by its bound: explicit steps of a
-/// vibration gain energy without bound beyond 2. No part of a step that was refused is shorter than this
-/// share of it.
-constexpr double most_taut = 1, most_parts_of_refused = 16;
+/// vibration gain energy without bound beyond 2. No part is shorter for that than this share of a step.
+constexpr double most_taut = 1, most_parts_of_taut = 16;
 
 }  // namespace
 
@@ -177,7 +177,7 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
   const double least = h / (s.passing.has_driven() ? most_parts_of_driven : most_parts);
   std::optional<BulkStepReport> report;
-  if (!is_divided) report = take_step(h, whole, h / most_parts_of_refused);
+  if (!is_divided) report = take_step(h, whole, h);
   if (!report) report = step_in_parts(h, whole, least, is_divided ? h : shorter_part(h));
   // What was given for this step ends with it.
   s.forces.clear_given();
@@ -211,8 +211,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, do
     before = memory_;
     last = part;
     is_first = false;
-    const std::optional<BulkStepReport> taken =
-        take_step(part, whole * (part / h), h / most_parts_of_refused);
+    const std::optional<BulkStepReport> taken = take_step(part, whole * (part / h), h);
     is_refused = !taken;
     if (is_refused) {
       longest_taut = shorter_part(part);
@@ -244,12 +243,12 @@ double BulkWorld::shorter_part(double h) const {
   return h * std::clamp(share, least_share, most_share);
 }
 
-std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double least) {
+std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double step) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
   s.passing.begin(bodies_, h);
-  const bool may_be_taut = s.joints->has_loops() && h > least,
-             may_be_deep = s.passing.may_take_parts() && h > least;
+  const bool may_be_taut = s.joints->has_loops() && h > step / most_parts_of_taut,
+             may_be_deep = s.passing.may_take_parts() && h > step / most_parts_of_deep;
   s.vibration = 0;
   if (may_be_taut || may_be_deep) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.energy_bound.begin(bodies_, s.executor);
