@@ -106,9 +106,10 @@ class BulkWorld {
   struct Scratch;
   void forget_contacts_of_changed();
   BulkStepReport step_in_parts(double h, double whole, double least, double longest_taut);
-  /// Takes a step with the pairs and manifolds that were found for it. Where its substeps do not resolve what
-  /// joints hold taut and it is longer than `least`, it is taken back, and nothing is returned.
-  std::optional<BulkStepReport> take_step(double h, double whole, double least);
+  /// Takes a step with the pairs and manifolds that were found for it, or a part of one of `step` [s]. Where
+  /// its substeps do not resolve what joints hold taut, or its contacts end too deep, and it may be shorter,
+  /// it is taken back, and nothing is returned.
+  std::optional<BulkStepReport> take_step(double h, double whole, double step);
   bool is_too_taut(double h) const;
   double shorter_part(double h) const;
   void stop_passing(double h);
@@ -119,6 +120,7 @@ class BulkWorld {
   void take_substep(bool is_first, float h);
   void find_direct_islands(double substep);
   int solve_directly(double h);
+  void load_joints_of_held();
   void bounce_apart();
   void find_touching_bodies();
   void find_bodies_outside_chains(double h);

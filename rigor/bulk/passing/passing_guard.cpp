@@ -132,7 +132,9 @@ void PassingGuard::begin(const BulkBodies& bodies, double h) {
   // Without joints nothing is noted, and what was of bodies that joints have held is forgotten.
   paths_.begin(has_jointed_ ? bodies.x.size() : 0, substeps_);
   planned_.resize(bodies.x.size());
+  dynamic_ = 0;
   for (int i = 0; i < bodies.count(); ++i) {
+    dynamic_ += bodies.is_dynamic(i) ? 1 : 0;
     const MotionRecord& m = bodies.motion[at(i)];
     store_row(static_cast<float>(h) * load_row(m.v), planned_[at(i)].dp);
     store_row(static_cast<float>(h) * load_row(m.w), planned_[at(i)].dr);

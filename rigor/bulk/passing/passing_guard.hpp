@@ -67,6 +67,14 @@ class PassingGuard {
   const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                                    double margin, const Executor& executor, BulkBodies& bodies);
 
+  /// Whether the world of the step that has begun is small enough to take a step anew in parts where its
+  /// contacts end too deep.
+  bool may_take_parts() const;
+  /// After stop(): whether points of a contact end the step deep in each other, and deeper than they began,
+  /// or a pair that overlapped before was stopped. manifolds: of the beginning.
+  bool ends_deeper(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                   const BulkBodies& bodies) const;
+
   /// After the last step has ended: bodies that overlapped before it already, and were to go deeper, keep the
   /// part of their motion against each other that they went. What is left is a motion that no contact sees,
   /// such as the spin of a body that others hold: it would take them deeper in each step to come.
@@ -150,6 +158,7 @@ class PassingGuard {
   std::vector<double> turning_;  ///< Of each body: how far from its centre rotation moves points [m].
   std::vector<char> is_driven_;  ///< Whether each body is kinematic.
   int driven_ = 0;               ///< How many bodies are.
+  int dynamic_ = 0;              ///< How many forces move in this step.
   std::vector<int> group_;       ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
   /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.

@@ -69,8 +69,9 @@ TEST(PassingGuard, NoRandomBodyPassesAPlate) {
 
 /// Bodies of all shapes fall on each other in a pen. What others hold does not go on into them with a motion
 /// that no contact sees: the overlaps that a step finds are seldom more than a quarter of a thickness.
-TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
-  Draw draw(6);
+/// Returns how many are in 1.5 s.
+int deep_contacts_in_pen(unsigned seed) {
+  Draw draw(seed);
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
   builder.add_material({"m", 1000, 0.5, 0.2});
@@ -106,9 +107,15 @@ TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
       if (gap < -0.25 * thinner) ++deep;
     }
   }
-  // 1 here; 168 if bodies keep what others hold, 68 if neither pairs that are deep nor those that follow a
-  // stopped body are examined sooner than others.
-  EXPECT_LT(deep, 20);
+  return deep;
+}
+
+TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
+  // 96 here, 1 to 57 a draw. In the first of them alone 168 if bodies keep what others hold, 68 if neither
+  // pairs that are deep nor those that follow a stopped body are examined sooner than others.
+  int deep = 0;
+  for (unsigned seed = 6; seed < 10; ++seed) deep += deep_contacts_in_pen(seed);
+  EXPECT_LT(deep, 4 * 50);
 }
 
 /// How far two balls of 0.1 m overlap after a step of 1/60 s without gravity, where all is rotated. box: half
