@@ -154,6 +154,10 @@ void BulkWorld::write(State& state) const {
   state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
 }
 
+const std::vector<float>& BulkWorld::joint_impulses() const {
+  return scratch_->joint_impulses;
+}
+
 bool BulkWorld::is_asleep(int body) const {
   return scratch_->sleepers && scratch_->sleepers->is_asleep(body);
 }
@@ -227,6 +231,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, do
     s.prescribed.place(*model_, t_, left, left, bodies_);
   }
   memory_ = memory_.scaled_since(before, static_cast<float>(h / last));
+  for (float& impulse : s.joint_impulses) impulse *= static_cast<float>(h / last);
   return report;
 }
 

@@ -36,6 +36,7 @@ PassingGuard::PassingGuard(const Model& model, int substeps)
       ranges_(at(model.body_count())),
       turning_(at(model.body_count()), 0),
       is_driven_(at(model.body_count()), 0),
+      islands_(model),
       shares_(at(model.body_count()), 1.0),
       changes_(at(model.body_count()), 0) {
   std::optional<FloatHulls> hulls;
@@ -49,6 +50,7 @@ void PassingGuard::change(const ChangedBodies& changed) {
     set_filter(body);
     add_body(body, hulls);
   }
+  islands_.change(*model_, changed);
   if (!changed.are_ties_new) return;
   filter_.set_excluded(*model_);
   find_groups();

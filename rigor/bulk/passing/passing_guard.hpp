@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
+#include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/free_path.hpp"
 #include "rigor/bulk/passing/jointed_paths.hpp"
@@ -122,6 +123,9 @@ class PassingGuard {
   }
   float find_reaches(const BulkBodies& bodies);
   float find_contacts(std::size_t pairs, const ManifoldList& manifolds);
+  void find_pushed(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                   const BulkBodies& bodies);
+  bool is_pushed(const ShapePair& pair) const;
   void find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
                 const BulkBodies& bodies);
   void add_escaped(const std::vector<ShapePair>& pairs, double margin, double most, const BulkBodies& bodies);
@@ -176,6 +180,8 @@ class PassingGuard {
   std::vector<float> reach_;      ///< How far points of each body have moved [m].
   std::vector<float> depths_;     ///< Overlap of each pair that was looked for at the beginning [m].
   std::vector<int> contacts_;     ///< A manifold of each of these pairs; -1: it has none.
+  BulkIslands islands_;           ///< Of the manifolds, where a driven body moves.
+  std::vector<char> is_pushed_;   ///< Whether one touches an island, by its lowest body; empty: none moves.
   std::vector<ShapePair> found_;  ///< That may be in far_ already.
   bool is_swept_ = false;         ///< Whether swept_ is of this step.
   std::vector<Aabb> swept_;       ///< Boxes that the bodies do not leave in the step.
