@@ -29,6 +29,10 @@ constexpr double margin_steps = 2;
 /// of parts is known up to its rounding.
 constexpr double most_parts_of_driven = 4096, most_parts = 1024, part_rounding = 1e-9;
 
+/// Steps whose contacts end too deep are taken in this share of them, and no part for that is shorter than
+/// this share of a step: springs are 256 times as stiff then.
+constexpr double share_of_deep = 0.5, most_parts_of_deep = 16;
+
 /// Largest product of a substep and the frequency of what joints hold taut, by its bound: explicit steps of a
 /// vibration gain energy without bound beyond 2. No part is shorter for that than this share of a step.
 constexpr double most_taut = 1, most_parts_of_taut = 16;
@@ -150,6 +154,10 @@ void BulkWorld::write(State& state) const {
   state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
 }
 
+const std::vector<float>& BulkWorld::joint_impulses() const {
+  return scratch_->joint_impulses;
+}
+
 bool BulkWorld::is_asleep(int body) const {
   return scratch_->sleepers && scratch_->sleepers->is_asleep(body);
 }
@@ -173,7 +181,7 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   const bool is_divided = s.passing.longest_part(bodies_, s.pairs, h) < h;
   const double least = h / (s.passing.has_driven() ? most_parts_of_driven : most_parts);
   std::optional<BulkStepReport> report;
-  if (!is_divided) report = take_step(h, whole, h / most_parts_of_taut);
+  if (!is_divided) report = take_step(h, whole, h);
   if (!report) report = step_in_parts(h, whole, least, is_divided ? h : shorter_part(h));
   // What was given for this step ends with it.
   s.forces.clear_given();
@@ -207,7 +215,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, do
     before = memory_;
     last = part;
     is_first = false;
-    const std::optional<BulkStepReport> taken = take_step(part, whole * (part / h), h / most_parts_of_taut);
+    const std::optional<BulkStepReport> taken = take_step(part, whole * (part / h), h);
     is_refused = !taken;
     if (is_refused) {
       longest_taut = shorter_part(part);
@@ -223,6 +231,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, double least, do
     s.prescribed.place(*model_, t_, left, left, bodies_);
   }
   memory_ = memory_.scaled_since(before, static_cast<float>(h / last));
+  for (float& impulse : s.joint_impulses) impulse *= static_cast<float>(h / last);
   return report;
 }
 
@@ -231,20 +240,22 @@ bool BulkWorld::is_too_taut(double h) const {
   return scratch_->vibration * h > most_taut * settings_.substeps;
 }
 
-/// A part that resolves what was too taut in a step of h, if it vibrates there as fast.
+/// A part that resolves what was too taut in a step of h, if it vibrates there as fast, or too deep.
 double BulkWorld::shorter_part(double h) const {
+  if (!is_too_taut(h)) return share_of_deep * h;
   constexpr double least_share = 0.125, most_share = 0.5;
   const double share = most_taut * settings_.substeps / (scratch_->vibration * h);
   return h * std::clamp(share, least_share, most_share);
 }
 
-std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double least) {
+std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, double step) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
-  const bool may_be_refused = s.joints->has_loops() && h > least;
-  s.vibration = 0;
-  if (may_be_refused) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.passing.begin(bodies_, h);
+  const bool may_be_taut = s.joints->has_loops() && h > step / most_parts_of_taut,
+             may_be_deep = s.passing.may_take_parts() && h > step / most_parts_of_deep;
+  s.vibration = 0;
+  if (may_be_taut || may_be_deep) s.motion_before.assign(bodies_.motion.begin(), bodies_.motion.end());
   s.energy_bound.begin(bodies_, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   // Colours do not depend on the islands to be solved directly: both at once.
@@ -258,6 +269,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
+  s.held.mark(bodies_);
   s.forces.compute(bodies_, h, settings_.substeps, s.executor);
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains(h);
@@ -274,7 +286,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
     s.vibration = std::max(s.vibration, s.joints->fastest_vibration());
-    if (may_be_refused && is_too_taut(h)) {
+    if (may_be_taut && is_too_taut(h)) {
       std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
       return std::nullopt;
     }
@@ -282,9 +294,14 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
     s.contacts.add_up(s.executor);
   }
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
+  if (s.held.are_any()) load_joints_of_held();
   if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
   stop_passing(h);
+  if (may_be_deep && s.passing.ends_deeper(s.pairs, s.manifolds, bodies_)) {
+    std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
+    return std::nullopt;
+  }
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
     s.balance.end(bodies_, s.forces.accelerations(), h, s.contacts, s.direct, report);
@@ -391,11 +408,30 @@ void BulkWorld::take_substep(bool is_first, float h) {
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
+/// Gives what contacts do to held bodies in a substep, on average, to the joints of these.
+void BulkWorld::load_joints_of_held() {
+  Scratch& s = *scratch_;
+  const auto is_wanted = [&](int a, int b, bool) { return s.held.contains(a) || s.held.contains(b); };
+  s.contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
+    const ManifoldWrench on_B = total_wrench(manifold);
+    for (const bool is_B : {false, true}) {
+      const int body = is_B ? manifold.body_B : manifold.body_A;
+      if (!s.held.contains(body)) continue;
+      const double part = (is_B ? 1.0 : -1.0) / settings_.substeps;
+      const Vec3 arm = is_B ? manifold.frame.rB : manifold.frame.rA;
+      // Velocities that a free body would get: m dv = F and I dw = T + r x F, with I in W.
+      const Mat3 R_WB = rotation_matrix(bodies_.q[at(body)]);
+      const Vec3 moment = R_WB.transpose() * (on_B.moment + arm.cross(on_B.impulse));
+      s.held.strike(body, part / model_->body(body).mass * on_B.impulse,
+                    part * (R_WB * moment.cwiseQuotient(model_->body(body).moments)));
+    }
+  });
+  if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
+}
+
 /// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
-  // The last sweep has moved held bodies as if they were free.
-  if (s.held.are_any()) s.joints->solve(JointPass::rates, s.executor);
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
   s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
   s.contacts.bounce_apart(*model_, s.held, bodies_, s.executor);

@@ -63,6 +63,8 @@ class BulkWorld {
   /// Joints came, went or became others, or bodies may collide that could not before: was[i] is the number
   /// that the joint i had before, or -1 if it is new. Wakes these bodies.
   void change_joints(const std::vector<int>& was, const std::vector<int>& concerned);
+  /// The laws along the coordinates of a joint have other numbers. Wakes its bodies.
+  void change_laws(int joint);
   /// There are more materials, or others (then all bodies are to be woken).
   void change_surfaces();
   void change_gravity();
@@ -99,6 +101,9 @@ class BulkWorld {
   /// ... and visit(number, contact) for each whose impulses are known, in any order. number: its own in that
   /// of keys.
   void for_contacts(const std::function<void(std::size_t, const BulkContact&)>& visit) const;
+  /// What joints have done in the last substep, as if all of the step's were as long: six rows a joint, as in
+  /// State::joint_impulses (joint_impulse()).
+  const std::vector<float>& joint_impulses() const;
   /// The memories of the contacts at the end of the last step, in the order of their keys.
   const ManifoldMemories& memory() const { return memory_; }
 
@@ -106,9 +111,10 @@ class BulkWorld {
   struct Scratch;
   void forget_contacts_of_changed();
   BulkStepReport step_in_parts(double h, double whole, double least, double longest_taut);
-  /// Takes a step with the pairs and manifolds that were found for it. Where its substeps do not resolve what
-  /// joints hold taut and it is longer than `least`, it is taken back, and nothing is returned.
-  std::optional<BulkStepReport> take_step(double h, double whole, double least);
+  /// Takes a step with the pairs and manifolds that were found for it, or a part of one of `step` [s]. Where
+  /// its substeps do not resolve what joints hold taut, or its contacts end too deep, and it may be shorter,
+  /// it is taken back, and nothing is returned.
+  std::optional<BulkStepReport> take_step(double h, double whole, double step);
   bool is_too_taut(double h) const;
   double shorter_part(double h) const;
   void stop_passing(double h);
@@ -119,6 +125,7 @@ class BulkWorld {
   void take_substep(bool is_first, float h);
   void find_direct_islands(double substep);
   int solve_directly(double h);
+  void load_joints_of_held();
   void bounce_apart();
   void find_touching_bodies();
   void find_bodies_outside_chains(double h);

@@ -47,6 +47,12 @@ void BulkWorld::change_joints(const std::vector<int>& was, const std::vector<int
   for (const int body : concerned) scratch_->sleepers->disturb(body);
 }
 
+void BulkWorld::change_laws(int joint) {
+  scratch_->joints->take_limits();
+  if (!scratch_->sleepers) return;
+  for (const int body : model_->bodies_of_joint(joint)) scratch_->sleepers->disturb(body);
+}
+
 void BulkWorld::change_surfaces() {
   scratch_->contacts.set_surfaces(*model_);
 }

@@ -3,6 +3,7 @@
 #include "rigor/contact/moving_body_shape.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/contacts/parting_contacts.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/distance_cache.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
@@ -68,6 +69,8 @@ class ShapePairSearch {
   /// Whether a surface that is not convex is met: a half-space or a cavity sees of a mesh its hull.
   bool has_mesh() const { return A_.is_mesh() && !is_unbounded(B_.solid()); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
+  void look_for_parting(const Pose& X_WS, const Pose& X_WT, const DistanceResult& found, double t,
+                        Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   TimeOfImpact refined(const Crossing& crossing);
@@ -107,6 +110,9 @@ Approach ShapePairSearch::approach(double t) {
   Approach now{found.distance, found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)),
                found.n_W};
   if (has_mesh() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
+  const bool may_part = !has_mesh() && options_.contact_gap == 0 && now.rate < -options_.rest_velocity &&
+                        now.gap <= 0.5 * options_.contact_tolerance;
+  if (may_part) look_for_parting(X_WS, X_WT, found, t, now);
   return now;
 }
 
@@ -131,6 +137,24 @@ void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, doubl
     now.rate = rate;
     now.n_W = contact.n_W;
   }
+}
+
+/// What meets at edges or corners need not approach along all directions that keep it apart.
+void ShapePairSearch::look_for_parting(const Pose& X_WS, const Pose& X_WT, const DistanceResult& found,
+                                       double t, Approach& now) const {
+  const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
+  const auto velocity = [&](const Vec3& p_W) -> Vec3 { return B.velocity_at(p_W) - A.velocity_at(p_W); };
+  ContactPoint nearest{};
+  nearest.p_WA = found.p_WA, nearest.p_WB = found.p_WB, nearest.n_W = found.n_W, nearest.gap = found.distance;
+  const auto parting =
+      parting_contacts(A_.solid(), X_WS, B_.solid(), X_WT, options_.contact_tolerance, {nearest}, velocity);
+  if (!parting) return;
+  const auto rate_of = [&](const ContactPoint& contact) {
+    return contact.n_W.dot(velocity(0.5 * (contact.p_WA + contact.p_WB)));
+  };
+  now.n_W = parting->front().n_W;
+  now.gap = std::ranges::min_element(*parting, {}, &ContactPoint::gap)->gap;
+  now.rate = rate_of(*std::ranges::min_element(*parting, {}, rate_of));
 }
 
 /// Whether the bounding balls can meet in the span at all.

@@ -50,8 +50,9 @@ class ModelEditor {
   int add_gear(const ModelBuilder::JointDescription& description, std::array<int, 2> joints);
   /// Removes a joint with its gears.
   void remove_joint(int joint);
-  /// The laws along a coordinate of a joint.
-  void set_axis(int joint, int coordinate, const JointAxis& laws);
+  /// The laws along a coordinate of a joint. Returns whether others act than before: if not, only their
+  /// numbers have changed, which is no change of joints.
+  bool set_axis(int joint, int coordinate, const JointAxis& laws);
   /// Whether two bodies may collide, whatever their groups.
   void exclude_pair(int a, int b, bool is_excluded);
 

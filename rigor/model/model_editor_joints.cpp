@@ -159,10 +159,14 @@ void ModelEditor::exclude_pair(int a, int b, bool is_excluded) {
 
 namespace {
 
-/// The description with a name that no joint has, if it has none.
-ModelBuilder::JointDescription named(const ModelBuilder::JointDescription& description, long& count) {
+/// The description with a name that no joint has, if it has none. count: of the names that were given.
+ModelBuilder::JointDescription named(const ModelBuilder::JointDescription& description,
+                                     const std::unordered_set<std::string>& known, long& count) {
   ModelBuilder::JointDescription own = description;
-  if (own.name.empty()) own.name = "#" + std::to_string(count++);
+  if (!own.name.empty()) return own;
+  // Names that were given before the Model was copied are there, and so may be those of its author.
+  do own.name = "#" + std::to_string(count++);
+  while (known.count(own.name) > 0);
   return own;
 }
 
@@ -177,7 +181,7 @@ void require_new_name(const std::string& name, const std::unordered_set<std::str
 int ModelEditor::add_joint(const ModelBuilder::JointDescription& description, std::array<int, 2> bodies,
                            const std::array<Pose, 2>& poses) {
   // The two bodies as they are now, by which the joint's frames are placed.
-  ModelBuilder::JointDescription own = named(description, joints_named_);
+  ModelBuilder::JointDescription own = named(description, joint_names_, joints_named_);
   std::vector<Body> ends;
   std::map<std::string, int> index;
   own.bodies.clear();
@@ -202,7 +206,7 @@ int ModelEditor::add_joint(const ModelBuilder::JointDescription& description, st
 }
 
 int ModelEditor::add_gear(const ModelBuilder::JointDescription& description, std::array<int, 2> joints) {
-  ModelBuilder::JointDescription own = named(description, joints_named_);
+  ModelBuilder::JointDescription own = named(description, joint_names_, joints_named_);
   own.type = JointType::gear;
   own.bodies.clear();
   own.joints.clear();
@@ -242,7 +246,19 @@ void ModelEditor::remove_joint(int joint) {
   erase_joints(goes);
 }
 
-void ModelEditor::set_axis(int joint, int coordinate, const JointAxis& laws) {
+namespace {
+
+/// Whether the same laws act, with whatever numbers; a motor that stands is another one than one that runs.
+bool are_alike(const JointAxis& a, const JointAxis& b) {
+  const auto runs = [](const JointAxis& axis) { return axis.motor && axis.motor->velocity != 0; };
+  return a.motor.has_value() == b.motor.has_value() && runs(a) == runs(b) &&
+         a.is_limited() == b.is_limited() && (a.stiffness > 0) == (b.stiffness > 0) &&
+         (a.damping > 0) == (b.damping > 0) && (a.friction > 0) == (b.friction > 0);
+}
+
+}  // namespace
+
+bool ModelEditor::set_axis(int joint, int coordinate, const JointAxis& laws) {
   const Joint& old = model_->joint(joint);
   std::vector<JointAxis> axes = old.axes;
   axes[at(coordinate)] = laws;
@@ -252,9 +268,12 @@ void ModelEditor::set_axis(int joint, int coordinate, const JointAxis& laws) {
   const double start = std::clamp(0.0, axes.front().lower, std::max(axes.front().lower, axes.front().upper));
   check_joint_axes(old.type, axes, start, findings);
   if (!messages.empty()) throw InputError(std::move(messages));
-  begin_joint_changes();
+  const bool are_others = !are_alike(old.axes[at(coordinate)], laws);
   model_->joints_[at(joint)].axes = std::move(axes);
+  if (!are_others) return false;
+  begin_joint_changes();
   for (const int body : model_->bodies_of_joint(joint)) changes_.bodies.push_back(body);
+  return true;
 }
 
 }  // namespace rigor

@@ -89,7 +89,7 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, double whole, con
         own.memory = manifolds_.memory(i);
         own.body_A = manifolds_.body_A(i);
         own.body_B = manifolds_.body_B(i);
-        const bool both_move = bodies.is_dynamic(own.body_A) && bodies.is_dynamic(own.body_B);
+        const bool both_move = bodies.gives_way(own.body_A) && bodies.gives_way(own.body_B);
         own.softness = both_move ? &between_moving : &on_ground;
       }
       fill_block(target_, std::span(lanes.data(), count), bodies, block);

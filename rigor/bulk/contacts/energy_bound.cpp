@@ -257,6 +257,11 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
     double square = 0, slope = 0;
     for (const int i : island.bodies) {
       Wrench& given = given_[at(i)];
+      // What joints hold passes on to them what acts on it.
+      if (!bodies.gives_way(i)) {
+        given = {};
+        continue;
+      }
       const Body& body = model_->body(i);
       const Mat3 R_WB = rotation_matrix(bodies.q[at(i)]);
       const Vec3 w = R_WB * (R_WB.transpose() * given.tau_W).cwiseQuotient(body.moments);

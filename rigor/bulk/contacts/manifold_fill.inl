@@ -98,17 +98,18 @@ RIGOR_FLOAT_LANES FloatVec3 tangent(const FloatVec3& n) {
 }
 
 RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& indices,
-                                      const BulkBodies& bodies, const IntLanes& is_there, FloatSym3& I,
+                                      const BulkBodies& bodies, const IntLanes& in_use, FloatSym3& I,
                                       FloatLanes& m) {
-  // Two loads of four floats a body: xx yy zz xy, then xz yz 1/m and one that is not used.
+  // Two loads of four floats a body: xx yy zz xy, then xz yz 1/m and whether joints hold it.
   std::array<const float*, kLaneCount> from;
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[indices[i]].xx;
   const TwoSquares first = gather_fours(from);
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] += 4;
   const TwoSquares second = gather_fours(from);
 
-  // Empty lanes do not respond to anything.
+  // Neither empty lanes nor held bodies respond to anything.
   const FloatLanes zero = splat(0);
+  const IntLanes is_there = in_use & (second.d == zero);
   I = {is_there ? first.a : zero, is_there ? first.b : zero,  is_there ? first.c : zero,
        is_there ? first.d : zero, is_there ? second.a : zero, is_there ? second.b : zero};
   m = is_there ? second.c : zero;
@@ -297,8 +298,8 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
     }
     if (i >= lanes.size()) continue;
     there[i] = -1;
-    if (bodies.is_dynamic(own.body_A)) block.moves_A = static_cast<std::uint8_t>(block.moves_A | 1u << i);
-    if (bodies.is_dynamic(own.body_B)) block.moves_B = static_cast<std::uint8_t>(block.moves_B | 1u << i);
+    if (bodies.gives_way(own.body_A)) block.moves_A = static_cast<std::uint8_t>(block.moves_A | 1u << i);
+    if (bodies.gives_way(own.body_B)) block.moves_B = static_cast<std::uint8_t>(block.moves_B | 1u << i);
   }
   IntLanes is_there;
   std::memcpy(&is_there, there.data(), sizeof is_there);

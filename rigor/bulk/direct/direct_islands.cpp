@@ -20,8 +20,6 @@ namespace {
 
 constexpr int most_bodies = 64;
 constexpr double least_mass_ratio = 10;
-/// Slower approaches do not bounce, as in the sweeps [m/s].
-constexpr double bounce_speed = 1e-2;
 /// The part of an overlap that is put back in a step.
 constexpr double put_back = 0.2;
 /// Overlaps that stay, as a part of the size of the smallest body.
@@ -114,20 +112,6 @@ BulkContact contact_of(const StepManifolds& manifolds, std::size_t i, const Bulk
 bool is_driven(const ShapePair& pair, const BulkBodies& bodies) {
   const auto moves = [&](int body) { return !bodies.is_dynamic(body) && bodies.has_velocity(body); };
   return moves(pair.body_A) || moves(pair.body_B);
-}
-
-/// Whether the bodies of a manifold meet so fast that they part again.
-bool bounces(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
-  if (!(manifolds.surface(i).restitution > 0)) return false;
-  const ManifoldView manifold = manifolds.view(i);
-  const int a = manifolds.body_A(i), b = manifolds.body_B(i);
-  const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
-  for (int k = 0; k < manifold.point_count; ++k) {
-    const Vec3 p = vector_of(manifold.points[at(k)].p);
-    const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
-    if (vector_of(manifold.normal).dot(u) < -bounce_speed) return true;
-  }
-  return false;
 }
 
 /// Gives a contact the impulses of its points: lambda has three each, along the rows of the frame.
@@ -261,7 +245,7 @@ bool DirectIslands::is_taken(const StepManifolds& manifolds, const Island& islan
   return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](std::size_t i) {
     const ManifoldSurface& surface = manifolds.surface(i);
     return surface.rolling_friction > 0 || surface.torsional_friction > 0 ||
-           is_driven(manifolds.pair(i), bodies) || bounces(manifolds, i, bodies);
+           is_driven(manifolds.pair(i), bodies);
   });
 }
 
@@ -349,6 +333,7 @@ DirectProblem DirectIslands::problem_of(const DirectStep& step, const Island& is
       problem.add_point(frame, static_cast<double>(point.gap),
                         static_cast<double>(step.manifolds.surface(i).friction), sides, prescribed,
                         start[at(k)]);
+      problem.restitutions.push_back(static_cast<double>(step.manifolds.surface(i).restitution));
     }
   }
   return problem;
@@ -405,17 +390,23 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
                      problem.gain(problem.velocities_after(problem.V, *lambda)))
       lambda = other;
   }
-  const VecX V_end = problem.affordable(problem.velocities_after(problem.V, *lambda));
+  const VecX V_pressed = problem.affordable(problem.velocities_after(problem.V, *lambda));
+  // Points that met fast part again, as in the sweeps once and after the displacements.
+  VecX V_end = V_pressed;
+  if (const std::optional<VecX> bounce = problem.bounce(*lambda, V_pressed, step.h)) {
+    *lambda += *bounce;
+    V_end = problem.velocities_after(V_pressed, *bounce);
+  }
 
   // Overlaps are put back by displacements alone, which end with the step. What they lift is paid for by the
   // energy that the step takes, then by what the springs of the sweeps have left in the overlaps.
-  VecX V_moved = V_end;
+  VecX V_moved = V_pressed;
   double held = 0;
   for (const std::size_t i : island.manifolds) held += static_cast<double>(step.manifolds.energy(i));
   double kept = 0;  // The part of it that remains.
   if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) < -tolerated_overlap * size_of(island)) {
-    const VecX push = find_push(problem, step.h, V_end);
-    const double taken = problem.kinetic(problem.V_begin) + problem.work(V_end) - problem.kinetic(V_end);
+    const VecX push = find_push(problem, step.h, V_pressed);
+    const double taken = problem.kinetic(problem.V_begin) + problem.work(V_pressed) - problem.kinetic(V_end);
     const double lift = -problem.work(push), paid = std::max(0.0, taken) + held;
     const double part = lift > paid ? paid / lift : 1;
     V_moved += part * push;

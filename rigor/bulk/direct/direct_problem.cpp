@@ -1,5 +1,6 @@
 #include "rigor/bulk/direct/direct_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -53,6 +54,34 @@ VecX DirectProblem::rates(const VecX& V_bodies, double h, double share) const {
   for (std::size_t i = 0; i < gaps.size(); ++i)
     b[3 * static_cast<Index>(i) + 2] += (gaps[i] > 0 ? gaps[i] : share * gaps[i]) / h;
   return b;
+}
+
+std::optional<VecX> DirectProblem::bounce(const VecX& lambda, const VecX& V_pressed, double h) const {
+  constexpr double bounce_speed = 1e-2;  // Slower approaches do not bounce, as in the sweeps [m/s].
+  // Points that approached fast and are pressed are to part at e times that speed (Newton's law).
+  MotionProblem elastic = motion;
+  elastic.laws.b = rates(V, h, 0);
+  const VecX u_begin = contact_rates(motion.rows, V_begin) + given;
+  bool is_any = false;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const Index n = 3 * static_cast<Index>(i) + 2;
+    if (!(restitutions[i] > 0) || !(u_begin[n] < -bounce_speed) || !(lambda[n] > 0)) continue;
+    // What it is pressed by has closed its gap.
+    elastic.laws.b[n] += restitutions[i] * u_begin[n] - std::max(0.0, gaps[i]) / h;
+    is_any = true;
+  }
+  if (!is_any) return std::nullopt;
+  const std::optional<VecX> whole = solve_impulses(elastic, lambda);
+  if (!whole) return std::nullopt;
+
+  // Both solutions lie in the cones and let no point approach, and so does what is between them. Newton's
+  // law alone may give more than there was: the part κ of the change is taken that does not,
+  // E(V + κ D) <= E(begin) + work.
+  const VecX change = *whole - lambda, D = velocities_after(VecX::Zero(V.size()), change);
+  const double a = kinetic(D), half_b = 0.5 * product(V_pressed, D),
+               spare = std::max(0.0, kinetic(V_begin) + work(V_pressed) - kinetic(V_pressed));
+  const double root = std::sqrt(half_b * half_b + a * spare) - half_b;
+  return VecX(std::min(1.0, a > 0 ? root / a : 1.0) * change);
 }
 
 VecX DirectProblem::velocities_after(const VecX& V_bodies, const VecX& lambda) const {

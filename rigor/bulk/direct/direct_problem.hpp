@@ -13,9 +13,10 @@ struct DirectProblem {
   VecX V;                ///< Velocities at the end of the step without contacts, six a body.
   VecX given;            ///< Relative velocities by bodies that are not dynamic.
   std::vector<Mat3> frames;
-  std::vector<double> gaps;  ///< [m].
-  VecX start;                ///< Impulses of the step before [N s].
-  VecX V_begin;              ///< Velocities at the beginning of the step.
+  std::vector<double> gaps;          ///< [m].
+  std::vector<double> restitutions;  ///< Of each point.
+  VecX start;                        ///< Impulses of the step before [N s].
+  VecX V_begin;                      ///< Velocities at the beginning of the step.
 
   /// Kinetic energy at these velocities [J].
   double kinetic(const VecX& V_bodies) const { return 0.5 * product(V_bodies, V_bodies); }
@@ -35,6 +36,9 @@ struct DirectProblem {
   /// u + max(s, 0)/h at the velocities V_bodies: relative velocities, with what gaps allow. Of an overlap s <
   /// 0 this share is put back.
   VecX rates(const VecX& V_bodies, double h, double share) const;
+  /// What the impulses λ of a step that ends with V_pressed become where points bounce, less λ: nothing if
+  /// none does. h: of the step [s].
+  std::optional<VecX> bounce(const VecX& lambda, const VecX& V_pressed, double h) const;
   /// V + M⁻¹ Jᵀ λ.
   VecX velocities_after(const VecX& V_bodies, const VecX& lambda) const;
 };

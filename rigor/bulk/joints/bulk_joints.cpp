@@ -23,6 +23,7 @@ struct BulkJoints::Blocks {
   std::vector<char> is_free;             ///< Each body, in this step.
   std::vector<int> other_joints;         ///< That no contact-free chains have, but for gears; ascending.
   std::vector<int> moved;                ///< A dynamic body of each joint.
+  bool are_limits_new = false;           ///< Since the last step.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -115,8 +116,16 @@ void BulkJoints::advance_contact_free_chains(const std::vector<MotionRow>& accel
   });
 }
 
+void BulkJoints::take_limits() {
+  blocks_->are_limits_new = true;
+}
+
 void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor) {
   blocks_->h = static_cast<float>(h);
+  if (blocks_->are_limits_new) {
+    for (BulkJointBlock& block : blocks_->blocks) read_limits(*blocks_->model, block);
+    blocks_->are_limits_new = false;
+  }
   blocks_->for_each(executor,
                     [&](BulkJointBlock& block) { prepare_joint_block(blocks_->effort(), bodies, block); });
 }
@@ -164,8 +173,10 @@ void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& imp
           to[2] = impulse.z[lane];
           continue;
         }
-        for (int r = 0; r < row_count(link); ++r) {
-          impulses[at(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
+        // Rows that there are no more, of a motor that was taken away, have none.
+        for (int r = 0; r < kMostJointRows; ++r) {
+          impulses[at(kMostJointRows * joint + r)] =
+              r < row_count(link) ? block.lanes.joints[i].impulse[r][lane] : 0;
         }
       }
     }

@@ -34,6 +34,8 @@ class BulkJoints {
   BulkJoints(const BulkJoints&) = delete;
   BulkJoints& operator=(const BulkJoints&) = delete;
 
+  /// Limits of coordinates have changed in the Model; other numbers are read where they are used.
+  void take_limits();
   /// At the beginning of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they
   /// are in memory until its end.
   void prepare(BulkBodies& bodies, double h, const Executor& executor);

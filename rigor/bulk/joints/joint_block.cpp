@@ -197,19 +197,28 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
       law.link = static_cast<int>(i);
       law.row = r;
       law.axis = axis;
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-        std::tie(law.lower[lane], law.upper[lane]) = limits_alone(model, link.joints[lane], axis);
     }
   }
   if (block.lanes.has_laws) block.before.resize(systems.moved, BulkJointBlock::Velocities{});
   block.lanes.systems = std::move(systems);
   set_all_masses(model, block.lanes);
+  read_limits(model, block);
   return block;
+}
+
+void read_limits(const Model& model, BulkJointBlock& block) {
+  for (BulkJointBlock::Law& law : block.laws) {
+    const JointLink& link = block.lanes.systems.links[at(law.link)];
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+      std::tie(law.lower[lane], law.upper[lane]) = limits_alone(model, link.joints[lane], law.axis);
+  }
 }
 
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
   find_records(bodies, block);
   if (!block.is_moving) return;
+  // The inverse masses are those of the records, which round otherwise than these of make_joint_block.
+  load_slots(block.records, effort.target, block.lanes);
   place_axes(bodies, block.lanes);
   place_joints(effort.model, bodies, block.frames, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);

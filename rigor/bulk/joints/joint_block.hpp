@@ -50,6 +50,8 @@ struct BulkJointBlock {
 };
 
 BulkJointBlock make_joint_block(const Model& model, JointSystems systems);
+/// Takes over the limits that the Model has now.
+void read_limits(const Model& model, BulkJointBlock& block);
 
 /// How a block is worked on.
 struct JointEffort {

@@ -12,6 +12,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// A coordinate beyond its limit, which has just been set there, comes back no faster [rad/s] or [m/s], as
+/// overlaps are put back: in one substep it would turn by radians.
+constexpr double most_lead = 3;
+
 /// How far the coordinate is from the rest of its spring; angles the shorter way round.
 double deviation(const Joint& joint, int k, double value) {
   const double difference = value - joint.axes[static_cast<std::size_t>(k)].rest;
@@ -35,8 +39,8 @@ CoordinateLaw::CoordinateLaw(const Joint& joint, int k, const CoordinateMotion& 
     motor_ = h * axis.motor->max_force;
   }
   friction_ = h * axis.friction;
-  low_ = (axis.lower - motion.value) / h;
-  high_ = (axis.upper - motion.value) / h;
+  low_ = std::min((axis.lower - motion.value) / h, most_lead);
+  high_ = std::max((axis.upper - motion.value) / h, -most_lead);
 }
 
 double CoordinateLaw::jump_sum(double rate, bool above) const {

@@ -36,6 +36,7 @@ PassingGuard::PassingGuard(const Model& model, int substeps)
       ranges_(at(model.body_count())),
       turning_(at(model.body_count()), 0),
       is_driven_(at(model.body_count()), 0),
+      islands_(model),
       shares_(at(model.body_count()), 1.0),
       changes_(at(model.body_count()), 0) {
   std::optional<FloatHulls> hulls;
@@ -49,6 +50,7 @@ void PassingGuard::change(const ChangedBodies& changed) {
     set_filter(body);
     add_body(body, hulls);
   }
+  islands_.change(*model_, changed);
   if (!changed.are_ties_new) return;
   filter_.set_excluded(*model_);
   find_groups();
@@ -132,7 +134,9 @@ void PassingGuard::begin(const BulkBodies& bodies, double h) {
   // Without joints nothing is noted, and what was of bodies that joints have held is forgotten.
   paths_.begin(has_jointed_ ? bodies.x.size() : 0, substeps_);
   planned_.resize(bodies.x.size());
+  dynamic_ = 0;
   for (int i = 0; i < bodies.count(); ++i) {
+    dynamic_ += bodies.is_dynamic(i) ? 1 : 0;
     const MotionRecord& m = bodies.motion[at(i)];
     store_row(static_cast<float>(h) * load_row(m.v), planned_[at(i)].dp);
     store_row(static_cast<float>(h) * load_row(m.w), planned_[at(i)].dr);

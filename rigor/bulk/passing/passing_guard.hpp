@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
+#include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/free_path.hpp"
 #include "rigor/bulk/passing/jointed_paths.hpp"
@@ -67,6 +68,14 @@ class PassingGuard {
   const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                                    double margin, const Executor& executor, BulkBodies& bodies);
 
+  /// Whether the world of the step that has begun is small enough to take a step anew in parts where its
+  /// contacts end too deep.
+  bool may_take_parts() const;
+  /// After stop(): whether points of a contact end the step deep in each other, and deeper than they began,
+  /// or a pair that overlapped before was stopped. manifolds: of the beginning.
+  bool ends_deeper(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                   const BulkBodies& bodies) const;
+
   /// After the last step has ended: bodies that overlapped before it already, and were to go deeper, keep the
   /// part of their motion against each other that they went. What is left is a motion that no contact sees,
   /// such as the spin of a body that others hold: it would take them deeper in each step to come.
@@ -114,6 +123,9 @@ class PassingGuard {
   }
   float find_reaches(const BulkBodies& bodies);
   float find_contacts(std::size_t pairs, const ManifoldList& manifolds);
+  void find_pushed(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                   const BulkBodies& bodies);
+  bool is_pushed(const ShapePair& pair) const;
   void find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
                 const BulkBodies& bodies);
   void add_escaped(const std::vector<ShapePair>& pairs, double margin, double most, const BulkBodies& bodies);
@@ -150,6 +162,7 @@ class PassingGuard {
   std::vector<double> turning_;  ///< Of each body: how far from its centre rotation moves points [m].
   std::vector<char> is_driven_;  ///< Whether each body is kinematic.
   int driven_ = 0;               ///< How many bodies are.
+  int dynamic_ = 0;              ///< How many forces move in this step.
   std::vector<int> group_;       ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
   /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.
@@ -167,6 +180,8 @@ class PassingGuard {
   std::vector<float> reach_;      ///< How far points of each body have moved [m].
   std::vector<float> depths_;     ///< Overlap of each pair that was looked for at the beginning [m].
   std::vector<int> contacts_;     ///< A manifold of each of these pairs; -1: it has none.
+  BulkIslands islands_;           ///< Of the manifolds, where a driven body moves.
+  std::vector<char> is_pushed_;   ///< Whether one touches an island, by its lowest body; empty: none moves.
   std::vector<ShapePair> found_;  ///< That may be in far_ already.
   bool is_swept_ = false;         ///< Whether swept_ is of this step.
   std::vector<Aabb> swept_;       ///< Boxes that the bodies do not leave in the step.

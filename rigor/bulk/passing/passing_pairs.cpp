@@ -133,6 +133,43 @@ float PassingGuard::find_contacts(std::size_t pairs, const ManifoldList& manifol
   return deepest;
 }
 
+/// Finds the islands that driven bodies touch which move.
+void PassingGuard::find_pushed(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                               const BulkBodies& bodies) {
+  is_pushed_.clear();
+  const auto moves = [&](int body) { return is_driven_[at(body)] != 0 && bodies.has_velocity(body); };
+  bool is_any = false;
+  for (int i = 0; i < bodies.count() && has_driven() && !is_any; ++i) is_any = moves(i);
+  if (!is_any) return;
+  // Bodies that touch each other, or that joints and springs hold together.
+  struct Contacts {
+    const std::vector<ShapePair>& pairs;
+    const ManifoldList& manifolds;
+    std::size_t size() const { return manifolds.size(); }
+    int body_A(std::size_t i) const { return pairs[at(manifolds.pair(i))].body_A; }
+    int body_B(std::size_t i) const { return pairs[at(manifolds.pair(i))].body_B; }
+  };
+  const Contacts contacts{pairs, manifolds};
+  islands_.build(contacts);
+  // What a driven body touches tells its island.
+  is_pushed_.assign(bodies.x.size(), 0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const int a = contacts.body_A(i), b = contacts.body_B(i);
+    if (moves(a) && bodies.is_dynamic(b)) is_pushed_[at(islands_.island_of(b))] = 1;
+    if (moves(b) && bodies.is_dynamic(a)) is_pushed_[at(islands_.island_of(a))] = 1;
+  }
+}
+
+/// Whether what moves as it must touches the island of a pair.
+bool PassingGuard::is_pushed(const ShapePair& pair) const {
+  if (is_pushed_.empty()) return false;
+  const auto is_one = [&](int body) {
+    const int island = islands_.island_of(body);
+    return island >= 0 && is_pushed_[at(island)] != 0;
+  };
+  return is_one(pair.body_A) || is_one(pair.body_B);
+}
+
 void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds, double margin,
                             const BulkBodies& bodies) {
   far_.clear();
@@ -147,16 +184,17 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
   if (2 * most <= least_share * thinnest) return;
 
   // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step;
-  // but what is stopped for that does not get out of the way of what drives it.
-  const double share_of_depth = has_driven() ? 0 : 2;
+  // but what is stopped for that does not get out of the way of what drives its island.
+  constexpr double share_of_depth = 2;
   const auto unseen = [&](double thickness, double depth) {
     return std::max(least_share * thickness, near_share * thickness - share_of_depth * depth);
   };
   const double deepest = static_cast<double>(find_contacts(pairs.size(), manifolds));
   if (2 * most > unseen(thinnest, deepest)) {
+    find_pushed(pairs, manifolds, bodies);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const ShapePair& pair = pairs[k];
-      const double depth = static_cast<double>(depths_[k]),
+      const double depth = is_pushed(pair) ? 0 : static_cast<double>(depths_[k]),
                    reach_A = static_cast<double>(reach_[at(pair.body_A)]),
                    reach_B = static_cast<double>(reach_[at(pair.body_B)]);
       if (reach_A + reach_B <= unseen(thinnest, depth)) continue;

@@ -6,6 +6,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,13 @@ namespace {
 constexpr double touching_share = 0.02;
 /// Most that a jointed body turns within a substep [rad]: its way is known at the end of each.
 constexpr double most_turn_a_substep = 0.16;
+
+/// A step that ends with a pair as deep as this part of the thinner one's thickness, and deeper by that part
+/// than it began, is too long for its contacts: springs give way by the square of it, and arms are those of
+/// its beginning.
+constexpr double too_deep = 0.15, deepened = 0.01;
+/// Parts are for the whole world: one of more dynamic bodies goes on instead.
+constexpr int most_bodies_of_parts = 64;
 
 }  // namespace
 
@@ -108,6 +116,37 @@ double PassingGuard::distance_of(const ShapePair& pair, const BulkBodies& bodies
            shape.X_BS;
   };
   return signed_distance(A.shape, pose_of(pair.body_A, A), B.shape, pose_of(pair.body_B, B)).distance;
+}
+
+bool PassingGuard::may_take_parts() const {
+  return dynamic_ <= most_bodies_of_parts;
+}
+
+bool PassingGuard::ends_deeper(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                               const BulkBodies& bodies) const {
+  if (!is_finite_) return false;
+  if (!jams_.empty()) return true;
+  // How far a displacement takes the point r from the centre of a body.
+  const auto way = [&](int body, const Vec3& r) -> Vec3 {
+    const MotionRecord& m = bodies.motion[at(body)];
+    return vector_of(m.dp) + rotation_exp(vector_of(m.dr)) * r - r;
+  };
+  for (std::size_t k = 0; k < manifolds.size(); ++k) {
+    const ShapePair& pair = pairs[at(manifolds.pair(k))];
+    const double thin = thinner(pair);
+    if (!(thin > 0)) continue;
+    const ManifoldView manifold = manifolds.view(k);
+    const Vec3 n = vector_of(manifold.normal).normalized(),
+               between = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+    for (int i = 0; i < manifold.point_count; ++i) {
+      const ManifoldPoint& point = manifold.points[at(i)];
+      const Vec3 p = vector_of(point.p);
+      const double begin = static_cast<double>(point.gap),
+                   end = begin + n.dot(way(pair.body_B, p - between) - way(pair.body_A, p));
+      if (end < -too_deep * thin && end < begin - deepened * thin) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace rigor

@@ -38,7 +38,7 @@ using TiltRow = std::array<float, 4>;
 struct alignas(32) InverseInertia {
   float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   float inv_mass = 0;  ///< [1/kg].
-  float pad = 0;
+  float is_held = 0;   ///< Not 0: contacts do not move it, since joints hold it (HeldBodies).
 };
 
 /// A vector as it is stored in a record, with the number behind it.
@@ -95,6 +95,8 @@ struct BulkBodies {
   /// Whether impulses move the body: it is dynamic and does not sleep. The others stand, or move as
   /// prescribed.
   bool is_dynamic(int body) const { return inertia[at(body)].inv_mass > 0; }
+  /// Whether contacts move it in this step.
+  bool gives_way(int body) const { return is_dynamic(body) && !(inertia[at(body)].is_held > 0); }
   bool has_velocity(int body) const {
     const MotionRecord& m = motion[at(body)];
     return m.v[0] != 0 || m.v[1] != 0 || m.v[2] != 0 || m.w[0] != 0 || m.w[1] != 0 || m.w[2] != 0;

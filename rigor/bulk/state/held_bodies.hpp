@@ -8,15 +8,19 @@
 
 namespace rigor {
 
-/// The dynamic bodies that fixed joints hold to the world or to what moves as it must, also over others that
-/// are held: nothing that strikes them moves them. Contacts are solved with the inertia of each body alone,
-/// before joints; where restitution comes once, a ball would bounce off a held box as off a free one.
+/// The dynamic bodies that joints hold on all sides (a fixed joint, two hinges, three ball joints) to the
+/// world or to a body that moves as it must, also over others that are held: nothing that strikes them moves
+/// them. Contacts are solved with the inertia of each body alone, before joints: what is heavier than a held
+/// body would push it away until its joints come, sink into it, and bounce off it as off a free one. So
+/// contacts take it as one that moves as it must, and what acts on it is given to its joints afterwards.
 class HeldBodies {
  public:
   explicit HeldBodies(const Model& model);
 
   bool are_any() const { return !held_.empty(); }
   bool contains(int body) const { return is_held_[at(body)] != 0; }
+  /// Marks them among the bodies of a step: contacts do not move them then.
+  void mark(BulkBodies& bodies) const;
   /// What struck a held body changes its velocities by, if it were free: for its joints.
   void strike(int body, const Vec3& dv, const Vec3& dw);
   /// Gives held bodies what struck them since the last call; false if nothing did. Joints have to hold them

@@ -1,10 +1,12 @@
 #include "rigor/contact/system/contact.hpp"
 
+#include "rigor/geometry/contacts/parting_contacts.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rigor {
 
@@ -63,13 +65,12 @@ bool is_same(const Contact& a, const Contact& b, double tolerance) {
 
 }  // namespace
 
-std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
-                                   double tolerance) {
-  return find_contacts(model, a, b, X_WA, X_WB, ContactReach{tolerance, tolerance});
-}
+namespace {
 
-std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
-                                   const ContactReach& within) {
+/// `points_of`: the contact points of two placed shapes.
+template <class PointsOf>
+std::vector<Contact> contacts_of_shapes(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
+                                        const ContactReach& within, const PointsOf& points_of) {
   const Body& A = model.body(a);
   const Body& B = model.body(b);
   std::vector<Contact> contacts;
@@ -83,7 +84,7 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       // The points at which the two shapes touch, with the coefficients of their materials.
       const PairCoefficients pair = model.coefficients(shape_a.material, shape_b.material);
       const std::vector<ContactPoint> points =
-          contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, within);
+          points_of(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS);
       for (const ContactPoint& point : points) {
         const Contact contact{a,
                               b,
@@ -107,6 +108,31 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
     }
   }
   return contacts;
+}
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
+                                   double tolerance) {
+  return find_contacts(model, a, b, X_WA, X_WB, ContactReach{tolerance, tolerance});
+}
+
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
+                                   const ContactReach& within) {
+  return contacts_of_shapes(model, a, b, X_WA, X_WB, within,
+                            [&](const Shape& s, const Pose& X_WS, const Shape& t, const Pose& X_WT) {
+                              return contact_set(s, X_WS, t, X_WT, within);
+                            });
+}
+
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const BodyKinetics& A,
+                                   const BodyKinetics& B, double tolerance) {
+  const auto velocity = [&](const Vec3& p_W) -> Vec3 { return B.velocity_at(p_W) - A.velocity_at(p_W); };
+  const auto points_of = [&](const Shape& s, const Pose& X_WS, const Shape& t, const Pose& X_WT) {
+    std::vector<ContactPoint> points = contact_set(s, X_WS, t, X_WT, tolerance);
+    return parting_contacts(s, X_WS, t, X_WT, tolerance, points, velocity).value_or(std::move(points));
+  };
+  return contacts_of_shapes(model, a, b, A.pose(), B.pose(), {tolerance, tolerance}, points_of);
 }
 
 }  // namespace rigor

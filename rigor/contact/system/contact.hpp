@@ -85,4 +85,9 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    const ContactReach& within);
 
+/// The contacts of bodies that move: where shapes meet at edges or corners, those along the direction in
+/// which they part fastest (parting_contacts.hpp).
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const BodyKinetics& A,
+                                   const BodyKinetics& B, double tolerance);
+
 }  // namespace rigor

@@ -130,6 +130,7 @@ ContactLoads BulkSimulation::contact_loads() const {
 }
 
 SensorId BulkSimulation::add_sensor(const SensorDescription& description) {
+  if (description.body != BodyId{} && !is_there(description.body)) return {};
   return sensors_.add(description);
 }
 

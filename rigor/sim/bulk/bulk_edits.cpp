@@ -239,8 +239,10 @@ BulkStatus BulkSimulation::set_axis(const JointId& joint, int coordinate, const 
   const int count = static_cast<int>(model_->joint(*index).axes.size());
   if (coordinate < 0 || coordinate >= count) return BulkStatus::no_such_coordinate;
   begin_edit();
-  editor_->set_axis(*index, coordinate, laws);
-  note_joint_changes();
+  if (editor_->set_axis(*index, coordinate, laws))
+    note_joint_changes();
+  else
+    world_->change_laws(*index);
   return BulkStatus::done;
 }
 

@@ -6,6 +6,7 @@
 #include "rigor/model/scene_queries.hpp"
 #include "rigor/sim/bulk/bulk_arrays.hpp"
 #include "rigor/sim/bulk/bulk_handles.hpp"
+#include "rigor/sim/bulk/bulk_joint_readings.hpp"
 #include "rigor/sim/bulk/bulk_sensors.hpp"
 
 #include <array>
@@ -119,6 +120,9 @@ class BulkSimulation {
   /// Limits, motor, spring, damper and dry friction along a coordinate.
   BulkStatus set_axis(const JointId& joint, int coordinate, const JointAxis& laws);
   BulkStatus set_motor(const JointId& joint, int coordinate, const std::optional<JointMotor>& motor);
+  /// Where a joint stands now, and what it did in the last substep of the last step; nothing if the handle is
+  /// wrong.
+  std::optional<JointReading> read_joint(const JointId& joint) const;
 
   MaterialId find_material(std::string_view name) const;
   MaterialId add_material(const Material& material);
@@ -149,8 +153,10 @@ class BulkSimulation {
   BodyArrays body_arrays() const;
   ContactArrays contact_arrays() const;
   ContactLoads contact_loads() const;
+  JointArrays joint_arrays() const;
 
   // Sensors: after each step they know whom they overlap.
+  /// A sensor; a handle that names nothing if its body is not there.
   SensorId add_sensor(const SensorDescription& description);
   BulkStatus remove_sensor(const SensorId& sensor);
   /// Bodies that overlapped it at the end of the last step; nothing if the handle is wrong.
@@ -186,6 +192,7 @@ class BulkSimulation {
   void make_room_for_one();
   void begin_anew(int places);
   void note_joint_changes();
+  JointReading reading_of(int joint) const;
   void has_changed(int place);
   /// Whether a body came, went or became another since the last step.
   bool is_new(int place) const { return at(place) < changed_.size() && changed_[at(place)] != 0; }

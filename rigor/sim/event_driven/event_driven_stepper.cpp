@@ -328,11 +328,12 @@ void EventDrivenStepper::add_body(int body, Cluster& cluster) {
 
 /// Contacts of a body that is in the cluster; dynamic bodies that it touches join.
 void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited) {
-  const auto pose_of = [&](int other) -> Pose {
+  const auto kinetics_of = [&](int other) {
     const auto place = std::lower_bound(cluster.bodies.begin(), cluster.bodies.end(), other);
-    if (place == cluster.bodies.end() || *place != other) return trajectories_.motion(other).sample(t_).X_WB;
-    const BodyPhase& phase = cluster.phase_of(other);
-    return {rotation_matrix(phase.q), phase.x};
+    if (place != cluster.bodies.end() && *place == other)
+      return dynamic_kinetics(model_->body(other), cluster.phase_of(other));
+    const Motion::Sample sample = trajectories_.motion(other).sample(t_);
+    return BodyKinetics{.x = sample.X_WB.p, .R = sample.X_WB.R, .v = sample.v, .w = sample.w};
   };
 
   // Springs and joints tie.
@@ -344,11 +345,11 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
     // The contacts of the pair; anew where the other body comes out of an island.
     const auto [a, b] = std::minmax(body, other);
     std::vector<Contact> found =
-        find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
+        find_contacts(*model_, a, b, kinetics_of(a), kinetics_of(b), method_.contact_tolerance);
     if (found.empty() || is_in_transition(found)) continue;
     if (is_dynamic(other) && island_of_[at(other)] >= 0) {
       add_body(other, cluster);
-      found = find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
+      found = find_contacts(*model_, a, b, kinetics_of(a), kinetics_of(b), method_.contact_tolerance);
     } else if (is_dynamic(other)) {
       add_body(other, cluster);
     }

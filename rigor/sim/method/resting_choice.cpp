@@ -14,6 +14,8 @@ double direction_tolerance(const Method& method) {
 }
 
 double slip_tolerance(const Method& method) {
+  // Soft steps in 32 bits leave micrometres a second of what rests: friction of a slip would be told.
+  if (method.solver == SolverMethod::substep) return method.resting_velocity;
   return still_speed(method.resting_velocity);
 }
 

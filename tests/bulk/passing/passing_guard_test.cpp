@@ -67,10 +67,9 @@ TEST(PassingGuard, NoRandomBodyPassesAPlate) {
   }
 }
 
-/// Bodies of all shapes fall on each other in a pen. What others hold does not go on into them with a motion
-/// that no contact sees: the overlaps that a step finds are seldom more than a quarter of a thickness.
-TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
-  Draw draw(6);
+/// 300 bodies of all shapes above each other in a pen.
+ModelBuilder crowd_in_a_pen(unsigned seed) {
+  Draw draw(seed);
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
   builder.add_material({"m", 1000, 0.5, 0.2});
@@ -90,7 +89,13 @@ TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
     body.q_WU = draw.orientation();
     builder.add_body(body);
   }
-  const std::shared_ptr<const Model> model = builder.build();
+  return builder;
+}
+
+/// They fall on each other. What others hold does not go on into them with a motion that no contact sees: the
+/// overlaps that a step finds are seldom more than a quarter of a thickness. Returns how many are in 1.5 s.
+int deep_contacts_in_pen(unsigned seed) {
+  const std::shared_ptr<const Model> model = crowd_in_a_pen(seed).build();
   BulkWorld world(model, {});
   world.read(make_initial_state(*model));
 
@@ -106,9 +111,37 @@ TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
       if (gap < -0.25 * thinner) ++deep;
     }
   }
-  // 1 here; 168 if bodies keep what others hold, 68 if neither pairs that are deep nor those that follow a
-  // stopped body are examined sooner than others.
-  EXPECT_LT(deep, 20);
+  return deep;
+}
+
+TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
+  // 96 here, 1 to 57 a draw. In the first of them alone 168 if bodies keep what others hold, 68 if neither
+  // pairs that are deep nor those that follow a stopped body are examined sooner than others.
+  int deep = 0;
+  for (unsigned seed = 6; seed < 10; ++seed) deep += deep_contacts_in_pen(seed);
+  EXPECT_LT(deep, 4 * 50);
+}
+
+/// What is driven must get out of the way, however deep it is; a crowd that nothing drives is held as if
+/// there were no driven body in the world.
+TEST(PassingGuard, ADrivenBodyElsewhereChangesNothing) {
+  const std::shared_ptr<const Model> alone = crowd_in_a_pen(6).build();
+  ModelBuilder builder = crowd_in_a_pen(6);
+  BodyDescription fan = random_body("fan", Box{Vec3(3, 0.1, 0.5)}, Vec3(50, 0, 0));
+  fan.motion = MotionType::kinematic;
+  fan.angular_velocity = Vec3(0, 0, 1);
+  builder.add_body(fan);
+  const std::shared_ptr<const Model> both = builder.build();
+  BulkWorld a(alone, {}), b(both, {});
+  a.read(make_initial_state(*alone));
+  b.read(make_initial_state(*both));
+  for (int step = 0; step < 60; ++step) {
+    a.step(1.0 / 60);
+    b.step(1.0 / 60);
+    for (int body = 0; body < alone->body_count(); ++body) {
+      ASSERT_EQ(a.bodies().x[at(body)], b.bodies().x[at(body)]) << "body " << body << ", step " << step;
+    }
+  }
 }
 
 /// How far two balls of 0.1 m overlap after a step of 1/60 s without gravity, where all is rotated. box: half

@@ -41,8 +41,8 @@ std::shared_ptr<const Model> box_on_slope(double angle, double speed, double hei
   return builder.build();
 }
 
-std::vector<TouchingPoint> snapshot(const Model& model) {
-  return contact_snapshot(model, Method{}, make_initial_state(model));
+std::vector<TouchingPoint> snapshot(const Model& model, const Method& method = {}) {
+  return contact_snapshot(model, method, make_initial_state(model));
 }
 
 Vec3 total_force(const std::vector<TouchingPoint>& points) {
@@ -66,6 +66,17 @@ TEST(ContactSnapshot, ARestingBoxIsHeldByItsWeightAndSticks) {
     EXPECT_NEAR(point.p_W.z(), 0, 1e-12);
   }
   EXPECT_LT((total_force(points) - mass * g * Vec3(std::sin(angle), 0, std::cos(angle))).norm(), rounding);
+}
+
+// Micrometres a second are rounding there, and no slip against which all friction would act.
+TEST(ContactSnapshot, WhatSoftStepsLeaveOfARestIsNoSlip) {
+  Method soft;
+  soft.scheme = Scheme::time_stepping;
+  soft.solver = SolverMethod::substep;
+  for (const double speed : {1e-7, 1e-5, 1e-4}) {
+    const Vec3 force = total_force(snapshot(*box_on_slope(0, speed), soft));
+    EXPECT_LT((force - mass * g * Vec3::UnitZ()).norm(), rounding) << speed;
+  }
 }
 
 TEST(ContactSnapshot, ASlidingBoxIsBrakedByMuTimesTheNormalForce) {

@@ -107,6 +107,7 @@ class Meddler {
       case 8:
         if (joint_count == 0 || simulation.model().joint(joint_count - 1).type != JointType::hinge)
           return BulkStatus::done;
+        if (x > 0.7) return simulation.set_axis(joint, 0, {.lower = -x, .upper = x});
         return simulation.set_motor(joint, 0, JointMotor{.velocity = x, .max_force = 5});
       case 9:
         return simulation.set_material(simulation.find_material("m"),
@@ -262,6 +263,51 @@ TEST(BulkEdits, AMotorIsSwitchedOnAndOff) {
   EXPECT_EQ(simulation.set_axis(joint, 0, {.damping = 1e6}), BulkStatus::done);
   for (int k = 0; k < 10; ++k) simulation.step();
   EXPECT_NEAR(simulation.angular_velocity(arm)->z(), 0, 1e-3);
+}
+
+TEST(BulkEdits, OtherNumbersOfLawsTakeEffect) {
+  BulkSimulation simulation(ground().build());
+  const BodyId arm = simulation.add_body(body_of(Box{Vec3(0.5, 0.05, 0.05)}, Vec3(0.5, 0, 5)));
+  ModelBuilder::JointDescription hinge;
+  hinge.type = JointType::hinge;
+  hinge.anchors = {Vec3(0, 0, 5)};
+  hinge.axis = Vec3::UnitY();
+  hinge.axes = {{.lower = -1, .upper = 0.1}};
+  const JointId joint = *simulation.add_joint(hinge, world_end, arm);
+  const auto angle_after = [&](int steps) {
+    for (int k = 0; k < steps; ++k) simulation.step();
+    return simulation.read_joint(joint)->value[0];
+  };
+  // The arm falls to its limit, sleeps there, and to another one.
+  EXPECT_NEAR(angle_after(90), 0.1, 1e-3);
+  ASSERT_TRUE(*simulation.is_asleep(arm));
+  EXPECT_EQ(simulation.set_axis(joint, 0, {.lower = -1, .upper = 0.3}), BulkStatus::done);
+  EXPECT_NEAR(angle_after(60), 0.3, 1e-3);
+  // Limits that leave out where it is lead it there, no faster than 3 rad/s, and leave no speed.
+  EXPECT_EQ(simulation.set_axis(joint, 0, {.lower = -2, .upper = -1.2}), BulkStatus::done);
+  EXPECT_NEAR(angle_after(6), 0.3 - 3 * 6 * kStep, 0.02);
+  EXPECT_NEAR(angle_after(60), -1.2, 1e-3);
+  EXPECT_NEAR(simulation.read_joint(joint)->rate[0], 0, 1e-3);
+  // A motor of another speed.
+  EXPECT_EQ(simulation.set_motor(joint, 0, JointMotor{-1, 1e4}), BulkStatus::done);
+  simulation.step();
+  EXPECT_EQ(simulation.set_motor(joint, 0, JointMotor{-2, 1e4}), BulkStatus::done);
+  simulation.step();
+  EXPECT_NEAR(simulation.read_joint(joint)->rate[0], -2, 1e-3);
+}
+
+TEST(BulkEdits, JointsWithoutANameGetOneThatIsFree) {
+  BulkSimulation simulation(ground().build());
+  ModelBuilder::JointDescription hinge;
+  hinge.type = JointType::hinge;
+  // More than there are places, so that worlds are begun anew.
+  for (int i = 0; i < 300; ++i) {
+    const BodyId arm = simulation.add_body(body_of(Sphere{0.1}, Vec3(i, 0, 5)));
+    hinge.name = i == 200 ? "#201" : "";
+    hinge.anchors = {Vec3(i, 0, 5)};
+    ASSERT_TRUE(simulation.add_joint(hinge, world_end, arm));
+  }
+  EXPECT_EQ(simulation.model().joints().size(), 300u);
 }
 
 TEST(BulkEdits, FrictionGravityAndFiltersChangeWhileBodiesSleep) {

@@ -48,6 +48,10 @@ TEST(BulkSensors, ABallThatFallsThroughIsFeltFromTheFirstStepToTheLast) {
   EXPECT_NEAR(simulation.pose(ball)->p.z(), 0.1, 1e-3);
   EXPECT_EQ(simulation.remove_sensor(sensor), BulkStatus::done);
   EXPECT_EQ(simulation.remove_sensor(sensor), BulkStatus::no_such_sensor);
+  // None on a body that is not there.
+  const BodyId gone = simulation.add_body({.shapes = {{Sphere{0.1}}}});
+  simulation.remove_body(gone);
+  EXPECT_EQ(simulation.add_sensor({.shape = Sphere{1}, .body = gone}), SensorId{});
   EXPECT_FALSE(simulation.overlaps(sensor));
 }
 
