@@ -91,6 +91,7 @@ void BulkWorld::settle_changes() {
   s.forces.change(changed);
   if (s.sleepers) s.sleepers->change(changed);
   if (changed.are_ties_new) s.joints.emplace(*model_);
+  s.held.unmark(bodies_);
   s.held = HeldBodies(*model_);
   // Who may meet whom.
   for (const int body : changes_.filters) s.passing.set_filter(body);

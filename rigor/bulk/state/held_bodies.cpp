@@ -99,6 +99,10 @@ void HeldBodies::mark(BulkBodies& bodies) const {
   for (const int body : held_) bodies.inertia[at(body)].is_held = 1;
 }
 
+void HeldBodies::unmark(BulkBodies& bodies) const {
+  for (const int body : held_) bodies.inertia[at(body)].is_held = 0;
+}
+
 void HeldBodies::strike(int body, const Vec3& dv, const Vec3& dw) {
   MotionRow& row = strikes_[at(body)];
   for (int k = 0; k < 3; ++k) {

@@ -21,6 +21,8 @@ class HeldBodies {
   bool contains(int body) const { return is_held_[at(body)] != 0; }
   /// Marks them among the bodies of a step: contacts do not move them then.
   void mark(BulkBodies& bodies) const;
+  /// Takes the marks away, before joints change: what they hold no longer gives way again.
+  void unmark(BulkBodies& bodies) const;
   /// What struck a held body changes its velocities by, if it were free: for its joints.
   void strike(int body, const Vec3& dv, const Vec3& dw);
   /// Gives held bodies what struck them since the last call; false if nothing did. Joints have to hold them

@@ -249,6 +249,22 @@ TEST(BulkEdits, ABodyOnAJointThatGoesFallsAndSwingsWhileItIsThere) {
   EXPECT_FALSE(simulation.add_joint(ball, bob, world_end));
 }
 
+TEST(BulkEdits, AShelfWhoseJointGoesFallsAndRestsOnTheFloor) {
+  BulkSimulation simulation(ground().build());
+  const BodyId shelf = simulation.add_body(body_of(Box{Vec3(0.5, 0.3, 0.05)}, Vec3(0, 0, 0.5)));
+  ModelBuilder::JointDescription fixed;
+  fixed.type = JointType::fixed;
+  fixed.anchors = {Vec3(0, 0, 0.5)};
+  const std::optional<JointId> joint = simulation.add_joint(fixed, shelf, world_end);
+  ASSERT_TRUE(joint);
+  // While it is held, contacts take it as one that stands; then no longer.
+  for (int k = 0; k < 5; ++k) simulation.step();
+  EXPECT_NEAR(simulation.pose(shelf)->p.z(), 0.5, 1e-6);
+  EXPECT_EQ(simulation.remove_joint(*joint), BulkStatus::done);
+  for (int k = 0; k < 120; ++k) simulation.step();
+  EXPECT_NEAR(simulation.pose(shelf)->p.z(), 0.05, 1e-3);
+}
+
 TEST(BulkEdits, AMotorIsSwitchedOnAndOff) {
   BulkSimulation simulation(ground().build());
   const BodyId arm = simulation.add_body(body_of(Box{Vec3(0.5, 0.05, 0.05)}, Vec3(0, 0, 5)));
