@@ -377,6 +377,7 @@ void BulkWorld::find_contacts(double h) {
     s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
     is_done = !s.sleepers || !s.sleepers->wake(bodies_, memory_, s.pairs, s.manifolds);
   }
+  s.hidden_sides.take_out(*model_, bodies_, s.pairs, s.manifolds);
 }
 
 /// Marks the bodies that have manifolds: only they need inertia in W.

@@ -9,6 +9,7 @@
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
 #include "rigor/bulk/joints/bulk_joints.hpp"
+#include "rigor/bulk/narrow_phase/hidden_sides.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/passing_guard.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
@@ -45,6 +46,7 @@ struct BulkWorld::Scratch {
   Executor executor;
   PairFinder pair_finder;
   NarrowPhase narrow_phase;
+  HiddenSides hidden_sides;
   BulkContacts contacts;
   ElasticTilts tilts;
   DirectIslands direct;

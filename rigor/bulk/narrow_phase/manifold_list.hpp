@@ -41,6 +41,15 @@ class ManifoldList {
     points_.insert(points_.end(), own.points.data(), own.points.data() + count);
   }
 
+  /// Takes out the manifolds for whose index `is_out` holds; their points keep their room until clear().
+  template <class IsOut>
+  void take_out(const IsOut& is_out) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (!is_out(i)) heads_[kept++] = heads_[i];
+    heads_.resize(kept);
+  }
+
   int pair(std::size_t i) const { return heads_[i].pair; }
   int part(std::size_t i) const { return static_cast<int>(heads_[i].part); }
   int point_count(std::size_t i) const { return heads_[i].points(); }
