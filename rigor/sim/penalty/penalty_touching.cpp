@@ -4,6 +4,7 @@
 #include "rigor/core/work_count.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/pairs/ground_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -172,6 +173,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag, c
   // Contacts of shapes within reach, and stops of the joints.
   const std::vector<BodyPhase> now = phases(state);
   std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
+  GroundPlanes(model_, state, near).take_out_hidden(near);
   const std::vector<int> joints = assembler_.joints_of(bodies_);
   if (!joints.empty()) {
     const ContactSystem held = assembler_.assemble(state.t, bodies_, now, {});
@@ -268,6 +270,7 @@ std::vector<ContactMemory> PenaltyTouching::memories(const Touching& touching) c
 std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) {
   Cluster cluster{.t = state.t, .bodies = bodies_, .phases = phases(state)};
   cluster.contacts = finder_.find(state, reaches(state, 0), contact_tolerance_);
+  GroundPlanes(model_, state, cluster.contacts).take_out_hidden(cluster.contacts);
   std::erase_if(cluster.contacts,
                 [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
   std::vector<ContactMemory> memories;

@@ -3,6 +3,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/distance/thickness.hpp"
+#include "rigor/sim/pairs/ground_planes.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
 
 void StepContacts::begin_step(const State& state) {
   known_.clear();
+  ground_.reset();
   boxes_.clear();
   reaches_.clear();
   for (int i = 0; i < model_.body_count(); ++i) boxes_.push_back(body_box(model_, state, i));
@@ -83,6 +85,10 @@ NearContacts StepContacts::near(const State& state, const Cluster& start,
     }
     near.found.insert(near.found.end(), found.begin(), found.end());
   }
+  std::vector<Contact> planes = near.found;
+  planes.insert(planes.end(), near.acting.begin(), near.acting.end());
+  ground_.emplace(model_, state, planes);
+  ground_->take_out_hidden(near.acting);
   return near;
 }
 
@@ -154,6 +160,14 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
     const bool is_before = contact.point.gap >= -tolerance_;
     const bool is_close = contact.point.gap <= std::min(width_[rigor::at(a)], width_[rigor::at(b)]);
     if (!is_before || !is_close) continue;
+    // A side that is hidden was reached because nothing held the body on the plane before it.
+    if (const std::optional<Contact> plane = ground_ ? ground_->plane_before(contact) : std::nullopt) {
+      std::vector<Contact>& of_plane = speculative.met[{plane->body_A, plane->body_B}];
+      if (has(of_plane, plane->key()) || may_act(*plane, start, speculative)) continue;
+      of_plane.push_back(*plane);
+      is_new = true;
+      continue;
+    }
     later.push_back(contact);
     is_new = true;
   }

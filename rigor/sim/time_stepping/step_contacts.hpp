@@ -4,11 +4,13 @@
 #include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
+#include "rigor/sim/pairs/ground_planes.hpp"
 #include "rigor/sim/time_stepping/speculative_contacts.hpp"
 #include "rigor/sim/time_stepping/way_memory.hpp"
 
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,9 +70,10 @@ class StepContacts {
   double tolerance_;  ///< Of contacts [m].
   ConeMethod cone_;
   ContactFinder finder_;
-  std::vector<Aabb> boxes_;      ///< Of the bodies at the beginning of the step.
-  std::vector<Pair> pairs_;      ///< That are near there,
-  std::vector<double> reaches_;  ///< with these reaches; none: not searched yet.
+  std::vector<Aabb> boxes_;             ///< Of the bodies at the beginning of the step.
+  std::optional<GroundPlanes> ground_;  ///< Of the last try.
+  std::vector<Pair> pairs_;             ///< That are near there,
+  std::vector<double> reaches_;         ///< with these reaches; none: not searched yet.
   /// The contacts there of pairs within margins that were asked for.
   std::map<std::pair<Pair, double>, std::vector<Contact>> known_;
   std::vector<double> thickness_;  ///< One per body [m].
