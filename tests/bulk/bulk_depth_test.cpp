@@ -73,8 +73,7 @@ double deepest_share(const Scene& scene) {
 }
 
 // A quarter is what an audit allows. Islands of heavy bodies on light ones were left to the sweeps where they
-// bounced, springs gave way by centimetres in long steps, and the passing guard let bodies creep into others:
-// 11 of these 50 scenes were deeper, by up to 1.04 of a thickness.
+// bounced, springs gave way by centimetres in long steps, and the passing guard let bodies creep into others.
 TEST(BulkDepth, SmallWorldsStayOutOfEachOther) {
   for (const Family family : {Family::column, Family::heap}) {
     for (unsigned seed = 0; seed < 25; ++seed)
