@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 
@@ -92,7 +93,9 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
-    forces_.reset(model_->body_count());
+    std::vector<bool> has_events;
+    for (int body = 0; body < model_->body_count(); ++body) has_events.push_back(is_dynamic(body));
+    forces_.reset(std::move(has_events));
     island_of_.assign(at(model_->body_count()), -1);
   }
   for (int body = 0; body < model_->body_count(); ++body) {
