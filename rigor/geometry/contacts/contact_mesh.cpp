@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/contacts/contact_pair.hpp"
 #include "rigor/geometry/contacts/extended_facet.hpp"
 #include "rigor/geometry/contacts/face_clip.hpp"
@@ -82,6 +83,8 @@ std::vector<MeshFacet> facets_near(const Mesh& mesh, const Pose& X_OM, const Con
   }
   for (const int face : sorted_unique(std::move(faces)))
     facets.push_back(face_facet(mesh, mesh.tree->faces[at(face)]));
+  constexpr std::uint64_t operations = 10;  // Of a facet.
+  count_following(operations * facets.size());
   return facets;
 }
 

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/convex_decomposition.hpp"
@@ -53,6 +54,7 @@ MeshSolid::MeshSolid(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<c
 
 void MeshSolid::decompose_once() const {
   std::call_once(has_pieces_, [this] {
+    const UncountedFollowing done_once;
     if (!tree_->is_closed || mesh_->triangles.empty() || has_too_many_pieces(*mesh_, *tree_)) return;
     const std::optional<ConvexDecomposition> exact = decompose_exactly({mesh_, tree_}, kMostPieces);
     if (!exact) return;
