@@ -93,7 +93,9 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
 /// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh.
 void EventDrivenStepper::read_state_from_bodies(const State& state) {
   t_ = state.t;
-  const bool is_continued = state == mirror_;
+  // Without a mirror from now on: what breaks off here is not continued, since the motions are no longer
+  // those of the State that was left.
+  const bool is_continued = state == std::exchange(mirror_, {});
   std::vector<int> seeds;
   std::vector<int> restored;
   stepping_.restart();
