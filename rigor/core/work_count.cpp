@@ -5,6 +5,7 @@ namespace rigor {
 namespace {
 
 thread_local std::uint64_t operations_counted = 0;
+thread_local std::uint64_t operations_of_following = 0;
 
 }  // namespace
 
@@ -14,6 +15,18 @@ void count_work(std::uint64_t operations) {
 
 std::uint64_t work_counted() {
   return operations_counted;
+}
+
+void count_following(std::uint64_t operations) {
+  operations_of_following += operations;
+}
+
+std::uint64_t following_counted() {
+  return operations_of_following;
+}
+
+UncountedFollowing::~UncountedFollowing() {
+  operations_of_following = before_;
 }
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/contacts/contact_pair.hpp"
 #include "rigor/geometry/contacts/extended_facet.hpp"
 #include "rigor/geometry/contacts/face_clip.hpp"
@@ -82,6 +83,8 @@ std::vector<MeshFacet> facets_near(const Mesh& mesh, const Pose& X_OM, const Con
   }
   for (const int face : sorted_unique(std::move(faces)))
     facets.push_back(face_facet(mesh, mesh.tree->faces[at(face)]));
+  constexpr std::uint64_t operations = 10;  // Of a facet.
+  count_following(operations * facets.size());
   return facets;
 }
 
@@ -113,25 +116,55 @@ bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M, double slack) 
   return true;
 }
 
+/// Whether n is the normal across a convex edge that ends at vertex v, and square to it.
+bool is_across_edge_at(const Mesh& mesh, int v, const Vec3& n_M, double slack) {
+  for (const int t : mesh.tree->vertex_triangles[at(v)]) {
+    const std::array<int, 3>& corners = mesh.mesh->triangles[at(t)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int p = corners[k], q = corners[(k + 1) % 3];
+      if ((p != v && q != v) || mesh.tree->triangles[at(t)].edge[k] != MeshEdgeKind::convex) continue;
+      const Vec3 along = mesh.mesh->vertices[at(q)] - mesh.mesh->vertices[at(p)];
+      if (std::abs(n_M.dot(along)) > slack * along.norm()) continue;
+      if (is_in_edge_cone(mesh, 3 * t + static_cast<int>(k), n_M, slack)) return true;
+    }
+  }
+  return false;
+}
+
 /// How far a normal may be off those of the surface, as sines.
 struct NormalSlack {
   double face;    ///< Off the normal of a face.
   double border;  ///< Outside the cone of an edge or a vertex.
+  double end;     ///< Off those that a face or an edge keeps up to its ends.
 };
 
+/// Whether n may be that of a face at its edge as it may inside of the face: tilted along the edge only, not
+/// away from the face.
+bool is_along_face_at(const Mesh& mesh, int edge, const Vec3& n_M, const Vec3& normal,
+                      const NormalSlack& slack) {
+  const std::array<int, 3>& corners = mesh.mesh->triangles[at(edge / 3)];
+  const std::size_t k = at(edge % 3);
+  const Vec3 along = mesh.mesh->vertices[at(corners[(k + 1) % 3])] - mesh.mesh->vertices[at(corners[k])];
+  const bool is_tilted_away = std::abs(n_M.dot(along.cross(normal))) > slack.end * along.norm();
+  return !is_tilted_away && n_M.dot(normal) > 0.5 && n_M.cross(normal).norm() <= slack.face;
+}
+
 /// Is n a normal of the mesh at the contact's feature? The back of a closed surface has none. On a face it is
-/// the face's.
+/// the face's. At the foot of a wall edge and vertex have none of their own, since the floor rises along all
+/// of them: but what touches the wall, or its upright edge, down to the foot touches it there too.
 bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M, const Vec3& normal,
                        const NormalSlack& slack) {
-  const double facing = n_M.dot(normal);
+  const double facing = n_M.dot(normal), off = n_M.cross(normal).norm();
   if (mesh.tree->is_closed && facing < -kConeSlack) return false;
   switch (feature.kind) {
     case Feature::Kind::vertex:
-      return is_in_vertex_cone(mesh, feature.index, n_M, slack.border);
+      return (facing > 0 && off <= slack.end) || is_in_vertex_cone(mesh, feature.index, n_M, slack.border) ||
+             is_across_edge_at(mesh, feature.index, n_M, slack.end);
     case Feature::Kind::edge:
-      return feature.index != kNoMeshEdge && is_in_edge_cone(mesh, feature.index, n_M, slack.border);
+      return feature.index != kNoMeshEdge && (is_along_face_at(mesh, feature.index, n_M, normal, slack) ||
+                                              is_in_edge_cone(mesh, feature.index, n_M, slack.border));
     default:
-      return std::abs(facing) > 0.5 && n_M.cross(normal).norm() <= slack.face;
+      return std::abs(facing) > 0.5 && off <= slack.face;
   }
 }
 
@@ -205,10 +238,11 @@ class FacetContacts {
     // What touches through a side that is none of the surface is kept aside. The shape may leave a part along
     // a normal of its own that would not part it from the patch: within the tolerance it lies flat on both.
     const double most_tilt = !is_part ? 1 : kAlongNormal + 4 * reach_ / face.size();
+    const double flat = kAlongNormal + 4 * tolerance_ / face.size();
     bool is_blocked = is_part && found.empty();
     for (const ContactPoint& contact : found) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;
-      const NormalSlack slack{most_tilt, kConeSlack + 2 * tilt_of(contact, distance, pair.scale.size)};
+      const NormalSlack slack{most_tilt, kConeSlack + 2 * tilt_of(contact, distance, pair.scale.size), flat};
       if (is_surface_normal(mesh_, first_feature(contact.feature), n_M, facet.normal, slack)) {
         contacts_.push_back({contact, facet.patch});
       } else {

@@ -1,6 +1,7 @@
 #include "rigor/geometry/convex/convex_distance.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/convex/ellipsoid_penetration.hpp"
 #include "rigor/geometry/convex/gjk.hpp"
 #include "rigor/geometry/convex/level_face.hpp"
@@ -20,6 +21,9 @@ namespace {
 
 /// Cosine of the widest angle between the best direction known and a cap's axis that is tried in its place.
 constexpr double kCapCosine = 0.9;
+
+/// What parts of a query cost (count_following).
+constexpr std::uint64_t kOfQuery = 5, kOfPolish = 20, kOfPenetration = 50;
 
 /// Bounds and witnesses of the signed distance of the cores, in the frame of A.
 struct CoreDistance {
@@ -60,6 +64,7 @@ std::optional<Separation> cap_separation(const CorePair& pair, const GjkState& g
 /// The nearest points of GJK made exact, on a cap or by Newton's method, where that brings the bounds
 /// together.
 CoreDistance polished(const CorePair& pair, const GjkState& gjk) {
+  count_following(kOfPolish);
   CoreDistance result = of_gjk(gjk);
   const auto take = [&](const std::optional<Separation>& candidate) {
     if (!candidate || candidate->value < result.best.value) return;
@@ -80,6 +85,7 @@ constexpr double kGapFactor = 1e-2;
 /// The signed distance of cores that overlap, touch, or are so near that their nearest points give no
 /// reliable direction.
 CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
+  count_following(kOfPenetration);
   // First the methods whose proof is cheap: the faces of polytopes, then the third ellipsoid and
   // the profiles of solids on parallel axes.
   if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
@@ -121,6 +127,7 @@ CoreDistance core_distance(const CorePair& pair) {
 }  // namespace
 
 DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const ConvexCore& b, const Pose& X_WB) {
+  count_following(kOfQuery);
   const Mat3 R_AW = X_WA.R.transpose();
   const CorePair pair(a, b, {R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)});
   const CoreDistance core = core_distance(pair);

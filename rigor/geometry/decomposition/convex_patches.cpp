@@ -1,6 +1,7 @@
 #include "rigor/geometry/decomposition/convex_patches.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/geometry/decomposition/face_planes.hpp"
 #include "rigor/geometry/decomposition/solid_parts.hpp"
@@ -32,9 +33,20 @@ class Growth {
   std::vector<ConvexPatch> run() {
     std::vector<ConvexPatch> patches;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (patch_[t] < 0) patches.push_back(grown(static_cast<int>(t), static_cast<int>(patches.size())));
+      if (patch_[t] >= 0) continue;
+      patches.push_back({grown(static_cast<int>(t), static_cast<int>(patches.size())), nullptr, {}});
+      add_hull(patches.back());
     }
     return patches;
+  }
+
+  bool are_more_than(std::size_t most) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < mesh_.triangles.size() && count <= most; ++t) {
+      poll_interrupt();
+      if (patch_[t] < 0) grown(static_cast<int>(t), static_cast<int>(count++));
+    }
+    return count > most;
   }
 
  private:
@@ -55,25 +67,23 @@ class Growth {
     return true;
   }
 
-  /// The patch that grows from the seed over triangles not yet in a patch.
-  ConvexPatch grown(int seed, int number) {
-    ConvexPatch patch;
-    std::vector<int> corners;
+  /// The triangles of the patch that grows from the seed over those not yet in a patch, ascending.
+  std::vector<int> grown(int seed, int number) {
+    std::vector<int> triangles, corners;
     std::deque<int> waiting = {seed};
     while (!waiting.empty()) {
       const int t = waiting.front();
       waiting.pop_front();
-      if (patch_[at(t)] >= 0 || !stays_on_hull(patch.triangles, corners, t)) continue;
+      if (patch_[at(t)] >= 0 || !stays_on_hull(triangles, corners, t)) continue;
       patch_[at(t)] = number;
-      patch.triangles.push_back(t);
+      triangles.push_back(t);
       for (const int v : mesh_.triangles[at(t)]) corners.push_back(v);
       for (const int next : neighbours_[at(t)]) {
         if (patch_[at(next)] < 0) waiting.push_back(next);
       }
     }
-    std::sort(patch.triangles.begin(), patch.triangles.end());
-    add_hull(patch);
-    return patch;
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
   }
 
   /// Gives the patch the hull of its corners and the share of each hull face that it covers; a flat patch has
@@ -110,6 +120,10 @@ class Growth {
 
 std::vector<ConvexPatch> find_convex_patches(const TriangleMesh& mesh) {
   return Growth(mesh).run();
+}
+
+bool has_more_convex_patches(const TriangleMesh& mesh, std::size_t most) {
+  return Growth(mesh).are_more_than(most);
 }
 
 }  // namespace rigor

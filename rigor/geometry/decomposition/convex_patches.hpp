@@ -3,6 +3,7 @@
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -30,5 +31,9 @@ struct ConvexPatch {
 /// Queries Between Polyhedra Using Convex Surface Decomposition, Eurographics 2001 (cited for the idea only).
 /// The growing and its tests are ours.
 std::vector<ConvexPatch> find_convex_patches(const TriangleMesh& mesh);
+
+/// Whether find_convex_patches() would find more than so many; it ends as soon as that is known, and builds
+/// no hulls. The mesh must be as there.
+bool has_more_convex_patches(const TriangleMesh& mesh, std::size_t most);
 
 }  // namespace rigor

@@ -2,13 +2,16 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/convex_decomposition.hpp"
+#include "rigor/geometry/decomposition/convex_patches.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/rays/ray_mesh.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace rigor {
@@ -16,6 +19,31 @@ namespace {
 
 /// Pieces closer than this fraction of the size of the mesh touch: a cut separated them, up to rounding.
 constexpr double kTouching = 1e-9;
+
+/// How many times as many straight notches, or convex patches, a solid may have as pieces are kept: a cut
+/// resolves one or two straight notches where they lie in no rows, and a piece ends at about one patch.
+constexpr std::size_t kOfAPiece = 2;
+
+/// The edges at which the surface bends inwards, those in one line counted as one: each has two ends.
+std::size_t count_straight_notches(const TriangleMesh& mesh, const TriangleTree& tree) {
+  std::size_t ends = 0;
+  for (std::size_t t = 0; t < tree.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (tree.triangles[t].edge[k] != MeshEdgeKind::concave) continue;
+      for (const int v : {mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]})
+        ends += tree.is_crease_corner[at(v)] ? 1 : 0;
+    }
+  }
+  // Each edge is one of two triangles.
+  return ends / 4;
+}
+
+/// Whether cutting would end without a result: where there are many notches, by the convex patches of the
+/// surface, which are about as many as the pieces (docs/theory/decomposition.md).
+bool has_too_many_pieces(const TriangleMesh& mesh, const TriangleTree& tree) {
+  constexpr std::size_t most = kOfAPiece * MeshSolid::kMostPieces;
+  return count_straight_notches(mesh, tree) > most && has_more_convex_patches(mesh, most);
+}
 
 }  // namespace
 
@@ -26,7 +54,8 @@ MeshSolid::MeshSolid(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<c
 
 void MeshSolid::decompose_once() const {
   std::call_once(has_pieces_, [this] {
-    if (!tree_->is_closed || mesh_->triangles.empty()) return;
+    const UncountedFollowing done_once;
+    if (!tree_->is_closed || mesh_->triangles.empty() || has_too_many_pieces(*mesh_, *tree_)) return;
     const std::optional<ConvexDecomposition> exact = decompose_exactly({mesh_, tree_}, kMostPieces);
     if (!exact) return;
     std::vector<Aabb> boxes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/mesh/triangle_pair.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/mesh/wide_tree.hpp"
@@ -84,6 +85,7 @@ class MeshPairSearch {
       }
       const int child_A = tree_A_.child_at(entry.a), child_B = tree_B_.child_at(entry.b);
       // Pairs of boxes are opened; two leaves are two triangles, which the visitor decides about.
+      count_following(1);
       if (child_A >= 0 || child_B >= 0) {
         open(entry, child_A, child_B, visitor);
       } else if (visitor.meet(entry.a, entry.b)) {
@@ -116,6 +118,7 @@ class MeshPairSearch {
     const OtherBox other = open_A ? OtherBox{moved(X_AB_, box_B), -n_A, rounding_}
                                   : OtherBox{moved(X_BA_, box_A), X_BA_.R * n_A, rounding_};
     ++cost_;
+    count_following(1);
     const ChildBounds bounds = child_bounds(node, other);
     const double limit = visitor.limit();
     const std::size_t first = stack_.size();

@@ -1,5 +1,6 @@
 #include "rigor/geometry/motion/separation_bound.hpp"
 
+#include "rigor/core/work_count.hpp"
 #include "rigor/geometry/motion/concave_step.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
@@ -122,6 +123,8 @@ double SeparationBound::at(double tau) const {
 
 double SeparationBound::safe_step(double tau_max, double level) const {
   if (gap_ < level) return 0;
+  constexpr std::uint64_t operations = 5;
+  count_following(operations);
   return safe_step_of_concave([&](double tau) { return at(tau) - level; }, tau_max);
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 
@@ -26,6 +27,16 @@ BodyPhase anchor_in(const State& state, int body) {
   const double* y = &state.anchor[13 * at(body)];
   return {Vec3(y[0], y[1], y[2]), Quat(y[3], y[4], y[5], y[6]), Vec3(y[7], y[8], y[9]),
           Vec3(y[10], y[11], y[12])};
+}
+
+/// Operations (count_work) in units of AdvanceReport::effort.
+constexpr double of_an_operation = 1e-2;
+/// Those of following bodies (count_following) weigh more: equal steps do with a small part of them, where
+/// they pose as many problems.
+constexpr double of_following = 2.5 * of_an_operation;
+
+double units(std::uint64_t operations, double each) {
+  return each * static_cast<double>(operations);
 }
 
 }  // namespace
@@ -56,6 +67,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
   report_ = {};
   if (t_end == state.t) return report_;
   state.contacts.clear();  // Only schemes with springs or solvers that begin from the last step have any.
+  begin_ = state.t;
   t_end_ = t_end;
   const long queries = trajectories_.distance_queries();
 
@@ -67,8 +79,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
     } else if (next_.kind == QueuedEvent::Kind::search) {
-      note_search(next_);
-      trajectories_.continue_search(next_, queue_);
+      continue_search();
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {
       handle_event(seeds, {});
     }
@@ -82,7 +93,9 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
 /// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh.
 void EventDrivenStepper::read_state_from_bodies(const State& state) {
   t_ = state.t;
-  const bool is_continued = state == mirror_;
+  // Without a mirror from now on: what breaks off here is not continued, since the motions are no longer
+  // those of the State that was left.
+  const bool is_continued = state == std::exchange(mirror_, {});
   std::vector<int> seeds;
   std::vector<int> restored;
   stepping_.restart();
@@ -92,7 +105,9 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
-    forces_.reset(model_->body_count());
+    std::vector<bool> has_events;
+    for (int body = 0; body < model_->body_count(); ++body) has_events.push_back(is_dynamic(body));
+    forces_.reset(std::move(has_events));
     island_of_.assign(at(model_->body_count()), -1);
   }
   for (int body = 0; body < model_->body_count(); ++body) {
@@ -220,10 +235,24 @@ void EventDrivenStepper::note_search(const QueuedEvent& event) {
                  share_of_step / most_searches * target_step_);
 }
 
+/// Goes on with a search that was broken off. Where it was left before this span began, the whole run has
+/// paid for it then.
+void EventDrivenStepper::continue_search() {
+  note_search(next_);
+  const std::uint64_t before = following_counted();
+  trajectories_.continue_search(next_, queue_);
+  if (next_.time >= begin_) charge(units(following_counted() - before, of_following));
+}
+
+void EventDrivenStepper::charge(double effort) {
+  report_.effort += effort;
+  budget_.charge(effort, t_);
+}
+
 /// One event: the bodies concerned are brought to now, collide, come to rest or part, and set out anew.
 void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector<int> changed) {
   const double effort_before = report_.effort;
-  const std::uint64_t work_before = work_counted();
+  const std::uint64_t work_before = work_counted(), following_before = following_counted();
   Cluster cluster = compute_new_body_states(seeds);
   if (WorkBudget foreseen = budget_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
     // Who takes over takes the bodies as they came here.
@@ -233,12 +262,16 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
     return;
   }
   apply_forces(cluster);
-  // Steps of islands come with their problems, but for those of jointed bodies, whose systems cost more.
-  constexpr double units_of_an_operation = 1e-2;
-  const double of_steps = units_of_an_operation * static_cast<double>(work_counted() - work_before);
-  budget_.charge(std::max(report_.effort - effort_before, of_steps), t_);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
+
+  // What it has cost: its problems, as measured with the steps that they come with, or these steps and what
+  // follows the bodies, where that is more.
+  const double of_problems = report_.effort - effort_before;
+  const double of_steps = units(work_counted() - work_before, of_an_operation),
+               of_ways = units(following_counted() - following_before, of_following);
+  report_.effort = effort_before;
+  charge(std::max(of_problems, of_steps + of_ways));
   drop_stale_events();
   constexpr std::size_t most_pieces = 4096;
   if (trajectories_.piece_count() > most_pieces) witness_.watch(trajectories_.take_paths(t_), report_);
@@ -266,7 +299,12 @@ double EventDrivenStepper::least_effort_of(const Cluster& cluster) const {
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
 /// the body, or hangs from it, notices.
 void EventDrivenStepper::begin_new_window(int body) {
-  if (trajectories_.motion(body).end() > t_) return trajectories_.predict({body}, t_, queue_);
+  if (trajectories_.motion(body).end() > t_) {
+    const std::uint64_t before = following_counted();
+    trajectories_.predict({body}, t_, queue_);
+    charge(units(following_counted() - before, of_following));
+    return;
+  }
   renew_prescribed(body);
   handle_event(moved_by(body), {body});
 }

@@ -88,6 +88,8 @@ class EventDrivenStepper : public Stepper {
   double least_effort_of(const Cluster& cluster) const;
   void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
   void begin_new_window(int body);
+  void continue_search();
+  void charge(double effort);
   void add_body(int body, Cluster& cluster);
   IslandStep cut_short(const RunningIsland& running) const;
   void put_joints_back(const Island& island, IslandStep& step);
@@ -119,7 +121,7 @@ class EventDrivenStepper : public Stepper {
   ContactProjection contacts_;
 
   // Scratch: rebuilt from the State whenever it is not the one left behind.
-  double t_ = 0, t_end_ = 0;
+  double t_ = 0, begin_ = 0, t_end_ = 0;
   QueuedEvent next_{};
   EventQueue queue_;
   std::size_t most_queued_ = 1024;  ///< Beyond it stale events are dropped.

@@ -29,7 +29,7 @@ bool is_out_of_its_depth(StopReason reason) {
   return reason == StopReason::events_accumulate || reason == StopReason::impact_unsolved;
 }
 
-/// Whether a stop leaves no State to go on from.
+/// Whether a stop leaves no State but that of before.
 bool leaves_nothing(StopReason reason) {
   return reason == StopReason::not_finite || reason == StopReason::broken_promise ||
          reason == StopReason::unresolved || reason == StopReason::interrupted;
@@ -122,21 +122,28 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
   events_->set_budget(
       {.rate = bounds_.paid_by_events, .most = bounds_.most_owed, .owed = memory_.owed, .t = begin});
   AdvanceReport report = events_->advance(state, t_end);
-  if (leaves_nothing(report.reason)) return report;
+  // What events cannot follow, equal steps may. The State is that of before.
+  const bool is_unresolved = report.reason == StopReason::unresolved;
+  if (!is_unresolved && leaves_nothing(report.reason)) return report;
 
   // What is owed now; where it is too much, or the scheme has given up, steps take over.
   WorkBudget budget = events_->budget();
-  budget.charge(0, state.t);
-  memory_.owed = budget.owed;
+  if (!is_unresolved) {
+    budget.charge(0, state.t);
+    memory_.owed = budget.owed;
+  }
   memory_.owed_by_steps = left_of(memory_.owed_by_steps, bounds_.paid_to_steps, state.t - begin);
   std::string cause;
   if (is_out_of_its_depth(report.reason)) {
     cause = report.detail;
-  } else if (events_->budget().is_exceeded()) {
+  } else if (is_unresolved) {
+    cause = fmt::format("unresolved by events: {}; steps went on from t = {:.9g} s, the State before",
+                        report.detail, begin);
+  } else if (budget.is_exceeded()) {
     cause = fmt::format(
         "events crowd: {} contact problems for {} impacts within {:.3g} s; the work that time has not paid "
         "for, {:.3g}, is above {:.3g}",
-        report.problems, report.impacts, state.t - begin, events_->budget().owed, bounds_.most_owed);
+        report.problems, report.impacts, state.t - begin, budget.owed, bounds_.most_owed);
   }
   if (!cause.empty()) {
     report.reason = StopReason::reached_end;

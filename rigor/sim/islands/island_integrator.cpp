@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/core/time_rounding.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/end_of_step.hpp"
 #include "rigor/dynamics/step_control.hpp"
@@ -82,6 +83,8 @@ IntegratorName IslandIntegrator::integrator_for(const Island& island) const {
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
                                               std::span<const BodyPhase> phases) const {
   const ContactSystem system = assembler_.assemble(island, t, phases);
+  constexpr std::uint64_t of_stage = 50, of_body = 5, of_contact = 50;
+  count_work(of_stage + of_body * system.bodies.size() + of_contact * system.contacts.size());
 
   // The forces of the environment.
   std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);

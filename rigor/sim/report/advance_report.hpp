@@ -86,7 +86,7 @@ struct AdvanceReport {
   /// Contact problems of impacts and of resting contact at events, and the work that they were: the sum of
   /// contacts² (1 + iterations). Counts of what was solved, the same on every machine.
   long problems = 0;
-  /// Their work.
+  /// The work of events: of their problems or, where that is more, of what follows bodies between them.
   double effort = 0;
   /// Operations (count_work) of steps of time stepping, all tries included.
   double step_work = 0;

@@ -1,3 +1,4 @@
+#include "geometry/mesh_shapes.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/distance/distance.hpp"
@@ -112,6 +113,97 @@ TEST(ContactSetOfMeshes, OfABoxOnATessellatedFloorIsThatOfABoxOnABox) {
       EXPECT_EQ(contact.n_W, Vec3::UnitZ());
       EXPECT_NEAR(contact.gap, gap, kRounding);
     }
+  }
+}
+
+/// A floor over [-1, 1]² with its top at z = 0 and a pillar over [-0.2, 0.2]², 0.8 m high, on it.
+TriangleMesh floor_with_pillar() {
+  PolygonMesh mesh;
+  const std::vector<double> borders{-1, -0.2, 0.2, 1};
+  for (const double z : {-0.3, 0.0}) {
+    for (const double y : borders) {
+      for (const double x : borders) mesh.vertices.emplace_back(x, y, z);
+    }
+  }
+  const auto below = [](int i, int k) { return 4 * k + i; };
+  const auto floor = [](int i, int k) { return 16 + 4 * k + i; };
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      mesh.faces.push_back({below(i, k), below(i, k + 1), below(i + 1, k + 1), below(i + 1, k)});
+      if (i == 1 && k == 1) continue;
+      mesh.faces.push_back({floor(i, k), floor(i + 1, k), floor(i + 1, k + 1), floor(i, k + 1)});
+    }
+    mesh.faces.push_back({below(k, 0), below(k + 1, 0), floor(k + 1, 0), floor(k, 0)});
+    mesh.faces.push_back({below(k + 1, 3), below(k, 3), floor(k, 3), floor(k + 1, 3)});
+    mesh.faces.push_back({below(3, k), below(3, k + 1), floor(3, k + 1), floor(3, k)});
+    mesh.faces.push_back({below(0, k + 1), below(0, k), floor(0, k), floor(0, k + 1)});
+  }
+  // The pillar: its walls stand on the border of the middle cell.
+  const std::vector<int> foot{floor(1, 1), floor(2, 1), floor(2, 2), floor(1, 2)};
+  for (const int v : foot)
+    mesh.vertices.emplace_back(mesh.vertices[static_cast<std::size_t>(v)] + Vec3(0, 0, 0.8));
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t next = (side + 1) % 4;
+    mesh.faces.push_back({foot[side], foot[next], 32 + static_cast<int>(next), 32 + static_cast<int>(side)});
+  }
+  mesh.faces.push_back({32, 33, 34, 35});
+  return triangulated(mesh);
+}
+
+TEST(ContactSetOfMeshes, ReachesDownToTheFootOfAWall) {
+  // A box that stands on the floor: flat against a wall, wider or narrower than it; a corner of it at a wall;
+  // and the corner of the pillar at a side of it. Of the wall it touches what it touches of a pillar by
+  // itself, down to the floor, and on the floor it stands as without one.
+  const Mesh mesh = make(floor_with_pillar());
+  ASSERT_TRUE(mesh.tree->is_closed);
+  const Box pillar{Vec3(0.2, 0.2, 0.4)};
+  std::mt19937 engine(3);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  for (int k = 0; k < 60; ++k) {
+    const Box box{Vec3(uniform(0.05, 0.2), uniform(0.05, 0.3), uniform(0.03, 0.5))};
+    const double angle = k % 3 == 0 ? 0 : uniform(0.2, 1.3);
+    const Vec3 m(std::cos(angle), std::sin(angle), 0), along(-m.y(), m.x(), 0);
+    Vec3 p(0, 0, box.half_extents.z());
+    if (k % 3 == 2) {
+      p += Vec3(-0.2, -0.2, 0) - box.half_extents.x() * m + uniform(-0.04, 0.04) * along;
+    } else {
+      // Its corner that is farthest in x, somewhere before the wall.
+      const Vec3 corner = box.half_extents.x() * m - box.half_extents.y() * along;
+      p.x() = -0.2 - corner.x();
+      p.y() = uniform(-0.15, 0.15) - (k % 3 == 0 ? 0 : corner.y());
+    }
+    const Pose X_WB = turned(Vec3::UnitZ(), angle, p);
+    std::vector<ContactPoint> of_wall, of_floor;
+    for (const ContactPoint& contact : contact_set(mesh, Pose{}, box, X_WB, kTolerance))
+      (std::abs(contact.n_W.z()) < 0.5 ? of_wall : of_floor).push_back(contact);
+    expect_same_points(of_wall,
+                       contact_set(pillar, {Mat3::Identity(), Vec3(0, 0, 0.4)}, box, X_WB, kTolerance),
+                       10 * kRounding, "at the wall, " + std::to_string(k));
+    EXPECT_GE(of_floor.size(), 3u);
+    for (const ContactPoint& contact : of_floor) EXPECT_NEAR(contact.n_W.z(), 1, kRounding);
+  }
+
+  // What is about to meet a wide wall askew will do so down to the foot, too.
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const ContactReach within{kTolerance, 0.02};
+    const Box box{Vec3(uniform(0.05, 0.2), uniform(0.05, 0.1), uniform(0.03, 0.3))};
+    const double angle = uniform(-0.05, 0.05);
+    const Vec3 m(std::cos(angle), std::sin(angle), 0);
+    const double before = uniform(0.001, 0.015) + box.half_extents.y() * std::abs(m.y());
+    const Pose X_WB =
+        turned(Vec3::UnitZ(), angle,
+               Vec3(-0.2 - before - box.half_extents.x() * m.x(), uniform(-0.1, 0.1), box.half_extents.z()));
+    std::vector<ContactPoint> of_wall;
+    for (const ContactPoint& contact : contact_set(mesh, Pose{}, box, X_WB, within)) {
+      if (std::abs(contact.n_W.z()) < 0.5) of_wall.push_back(contact);
+    }
+    const Pose X_WP{Mat3::Identity(), Vec3(0, 0, 0.4)};
+    const std::vector<ContactPoint> expected = contact_set(pillar, X_WP, box, X_WB, within);
+    EXPECT_GE(expected.size(), 2u);
+    expect_same_points(of_wall, expected, 10 * kRounding, "before the wall");
   }
 }
 

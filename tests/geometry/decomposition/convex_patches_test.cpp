@@ -64,5 +64,15 @@ TEST(ConvexPatches, CoverSurfacesThatAreNotConvex) {
   EXPECT_LT(expect_patches(ball).size(), ball.triangles.size() / 3);
 }
 
+TEST(ConvexPatches, AreCountedWithoutTheirHulls) {
+  for (const TriangleMesh& mesh : {triangulated(torus_solid(0.4, 16, 12)), bumpy_ball(2, 0.3),
+                                   triangulated(cube_with_hole()), make_icosphere(1)}) {
+    const std::size_t count = find_convex_patches(mesh).size();
+    EXPECT_FALSE(has_more_convex_patches(mesh, count));
+    EXPECT_TRUE(has_more_convex_patches(mesh, count - 1));
+    EXPECT_TRUE(has_more_convex_patches(mesh, 0));
+  }
+}
+
 }  // namespace
 }  // namespace rigor::convex_patches_test

@@ -4,7 +4,10 @@
 #include "geometry/solid_shapes.hpp"
 #include "rigor/geometry/decomposition/mesh_solid.hpp"
 #include "rigor/geometry/mesh_penetration/point_depth.hpp"
+#include "rigor/geometry/shape/height_field.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -177,6 +180,48 @@ TEST(MeshSolid, IsComputedOnceAndShared) {
   PolygonMesh open = make_box_mesh(Vec3::Zero(), Vec3::Ones());
   open.faces.pop_back();
   EXPECT_TRUE(as_mesh(open).solid->pieces().empty());
+}
+
+/// A ground of so many cells a side.
+Mesh field(int cells, const std::function<double(double x, double y)>& height) {
+  const std::size_t points = static_cast<std::size_t>(cells) + 1;
+  HeightField field{HeightRows(points, std::vector<double>(points)), Vec2(3, 3), 0.3};
+  for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t k = 0; k < points; ++k)
+      field.rows[i][k] =
+          height(3 * static_cast<double>(k) / cells - 1.5, 3 * static_cast<double>(i) / cells - 1.5);
+  }
+  return as_mesh(make_height_field_mesh(field));
+}
+
+TEST(MeshSolid, HowFinelyARegularSolidIsCutIntoTrianglesDoesNotMatter) {
+  // More than twice as many inward edges as pieces are kept, but in rows: of straight edges, and around a
+  // ring. Each slice of the ring is convex, and each ridge of a washboard (four rows of cells bend inwards in
+  // each trough).
+  const auto inward_edges = [](const Mesh& mesh) {
+    long sides = 0;
+    for (const TriangleTree::Triangle& triangle : mesh.tree->triangles)
+      sides += std::ranges::count(triangle.edge, MeshEdgeKind::concave);
+    return sides / 2;
+  };
+  const Mesh ring = as_mesh(torus_solid(0.35, 70, 40));
+  EXPECT_GT(inward_edges(ring), 2 * MeshSolid::kMostPieces);
+  EXPECT_EQ(ring.solid->pieces().size(), 70u);
+  const Mesh washboard = field(60, [](double x, double) { return 0.1 * std::sin(6 * x); });
+  EXPECT_GT(inward_edges(washboard), 2 * MeshSolid::kMostPieces);
+  const std::size_t pieces = washboard.solid->pieces().size();
+  EXPECT_GT(pieces, 5u);
+  EXPECT_LT(pieces, 60u);
+}
+
+TEST(MeshSolid, GroundsThatAreCurvedEverywhereHaveNoPieces) {
+  const auto hills = [](double x, double y) { return 0.1 * std::sin(2.5 * x) * std::cos(2.5 * y); };
+  EXPECT_FALSE(field(16, hills).solid->pieces().empty());
+  EXPECT_TRUE(field(44, hills).solid->pieces().empty());
+  // A bowl is convex nowhere: each of its cells is one or two pieces.
+  const auto bowl = [](double x, double y) { return 0.1 * (x * x + y * y); };
+  EXPECT_EQ(field(16, bowl).solid->pieces().size(), 256u);
+  EXPECT_TRUE(field(40, bowl).solid->pieces().empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/report/unresolved.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 
@@ -46,6 +47,41 @@ TEST(EventDrivenStepper, FreshStepperContinuesBitForBit) {
     fresh.advance(copy, 0.05 * k);
     EXPECT_EQ(stepper.advance(state, 0.05 * k).reason, StopReason::reached_end);
     ASSERT_EQ(state, copy) << "at t = " << state.t;
+  }
+}
+
+/// Breaks off within one impact.
+class BrokenOff : public EventDrivenStepper {
+ public:
+  BrokenOff(std::shared_ptr<const Model> model, int impact)
+      : EventDrivenStepper(std::move(model), Method{}, 0.01), left_(impact) {}
+
+ private:
+  bool apply_impulses(Cluster& part) override {
+    if (left_-- == 0) throw Unresolved({1}, "broken off");
+    return EventDrivenStepper::apply_impulses(part);
+  }
+  int left_;
+};
+
+TEST(EventDrivenStepper, WhatIsBrokenOffIsDoneAgainFromTheState) {
+  const std::shared_ptr<const Model> model = cube_drop(1, 1);
+  State whole = make_initial_state(*model);
+  EventDrivenStepper undisturbed(model, Method{}, 0.01);
+  for (int k = 1; k <= 6; ++k) undisturbed.advance(whole, 0.2 * k);
+  for (const int impact : {0, 2, 5, 9}) {
+    SCOPED_TRACE(impact);
+    BrokenOff stepper(model, impact);
+    State state = make_initial_state(*model);
+    int breaks = 0;
+    for (int k = 1; k <= 6; ++k) {
+      if (stepper.advance(state, 0.2 * k).reason == StopReason::reached_end) continue;
+      ++breaks;
+      EXPECT_EQ(state.t, 0.2 * (k - 1));
+      EXPECT_EQ(stepper.advance(state, 0.2 * k).reason, StopReason::reached_end);
+    }
+    EXPECT_EQ(breaks, 1);
+    EXPECT_EQ(state, whole);
   }
 }
 

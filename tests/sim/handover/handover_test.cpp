@@ -3,6 +3,9 @@
 
 #include "random_vectors.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/work_count.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/shape/height_field.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/audit/audit.hpp"
 #include "rigor/sim/drives/driven_stepper.hpp"
@@ -10,8 +13,10 @@
 #include "rigor/sim/handover/auto_stepper.hpp"
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
+#include "rigor/sim/report/unresolved.hpp"
 #include "rigor/sim/simulation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -238,6 +243,68 @@ TEST(Handover, AFreshStepperFindsTheSameBitsAtEveryOutput) {
   }
 }
 
+/// Balls and a capsule that fall on a ground.
+std::shared_ptr<const Model> round_bodies_on(const Shape& ground, unsigned seed) {
+  test::Random random(seed);
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material({"m", 1000, 0.5, 0});
+  for (int k = 0; k < 4; ++k) {
+    BodyDescription body;
+    body.name = "body" + std::to_string(k);
+    body.motion = k == 0 ? MotionType::fixed : MotionType::dynamic;
+    if (k > 0) {
+      body.p_WU = Vec3(0.4 * k - 0.8, 0.1 * random.uniform(-1, 1), 0.2);
+      body.velocity = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+    }
+    const Shape round = k == 3 ? Shape(Capsule{0.05, 0.1}) : Shape(Sphere{0.07});
+    body.shapes.push_back({k == 0 ? ground : round, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+/// A ground of so many triangles [m].
+Shape hills(double height) {
+  HeightField field{HeightRows(31, std::vector<double>(31, 0.0)), Vec2(3, 3), 0.3};
+  for (std::size_t i = 0; i < 31; ++i) {
+    for (std::size_t k = 0; k < 31; ++k)
+      field.rows[i][k] =
+          height * std::sin(0.9 * static_cast<double>(i)) * std::cos(0.7 * static_cast<double>(k));
+  }
+  return make_mesh(std::make_shared<const TriangleMesh>(make_height_field_mesh(field)));
+}
+
+TEST(Handover, WhatFollowsBodiesAlongMeshesCounts) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    // The effort holds nearly all that was counted; what the start and the end of a call search is left out.
+    const std::shared_ptr<const Model> model = round_bodies_on(hills(0.03), seed);
+    Method named;
+    named.scheme = Scheme::event_driven;
+    State by_events = make_initial_state(*model);
+    const std::uint64_t before = following_counted();
+    const double effort = make_stepper(model, named, step)->advance(by_events, 0.6).effort;
+    EXPECT_GT(following_counted(), before);
+    EXPECT_GT(effort, 0.02 * static_cast<double>(following_counted() - before));
+
+    // Over hills that work hands over; a fresh stepper in a fresh process, which cuts the solid into pieces
+    // for itself, finds the same bits and owes the same.
+    const Course whole = run(round_bodies_on(hills(0.03), seed), 30);
+    EXPECT_TRUE(whole.audits.back().was_handed_over());
+    const std::shared_ptr<const Model> again = round_bodies_on(hills(0.03), seed);
+    for (const std::size_t place : {3u, 7u, 11u}) {
+      SCOPED_TRACE(place);
+      State state = deserialise(serialise(whole.states[place]));
+      const std::unique_ptr<Stepper> stepper = auto_stepper(again);
+      for (std::size_t i = place + 1; i <= 30; ++i) {
+        stepper->advance(state, static_cast<double>(i) * interval);
+        ASSERT_EQ(state, whole.states[i]) << "at t = " << state.t;
+      }
+    }
+  }
+}
+
 TEST(Handover, NothingChangesWhereEventsAreFew) {
   // Without a hand-over the run is that of the scheme by itself, and a named scheme is never left.
   const std::shared_ptr<const Model> model = heap(0);
@@ -390,7 +457,7 @@ TEST(Handover, AnImpactThatIsTooDearIsNotBegun) {
   State state = make_initial_state(*model);
   Auditor auditor(model, automatic(), state);
   const std::unique_ptr<AutoStepper> stepper =
-      auto_stepper(model, {.paid_by_events = 1, .most_owed = 0, .paid_by_steps = 1});
+      auto_stepper(model, {.paid_by_events = 1, .most_owed = 9, .paid_by_steps = 1});
   const AdvanceReport report = stepper->advance(state, 0.5);
   auditor.observe(state, report);
   ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
@@ -403,9 +470,86 @@ TEST(Handover, AnImpactThatIsTooDearIsNotBegun) {
   // Until the impact the box has only fallen.
   const double g = 9.81, m = model->body(1).mass, t = report.spans[0].end;
   State at_impact = make_initial_state(*model);
-  auto_stepper(model, {.paid_by_events = 1, .most_owed = 0, .paid_by_steps = 1})->advance(at_impact, t);
+  auto_stepper(model, {.paid_by_events = 1, .most_owed = 9, .paid_by_steps = 1})->advance(at_impact, t);
   EXPECT_NEAR(at_impact.linear_momentum(1).z(), -m * g * t, 1e-12 * m * g);
   EXPECT_EQ(auditor.audit(state).violations, std::vector<std::string>{});
+}
+
+/// Events that cannot follow a motion from some time on.
+class LostEvents : public EventDrivenStepper {
+ public:
+  LostEvents(std::shared_ptr<const Model> model, const Method& method, double lost_from)
+      : EventDrivenStepper(std::move(model), method, step), lost_from_(lost_from) {}
+
+ private:
+  bool apply_impulses(Cluster& part) override {
+    if (part.t >= lost_from_) throw Unresolved({1}, "body 'body0' turns too fast");
+    return EventDrivenStepper::apply_impulses(part);
+  }
+  double lost_from_;
+};
+
+TEST(Handover, WhatEventsCannotFollowIsLeftToSteps) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::shared_ptr<const Model> model = heap(seed);
+    const ResolvedMethod resolved = resolve_scheme(*model, automatic());
+    const double lost_from = 0.1 + 0.02 * seed;
+    const auto lost = [&] {
+      return AutoStepper(model, std::make_unique<LostEvents>(model, resolved.method, lost_from), resolved,
+                         step);
+    };
+    State state = make_initial_state(*model);
+    Auditor auditor(model, automatic(), state);
+    AutoStepper stepper = lost();
+    std::vector<State> states;
+    for (int k = 1; k <= 30; ++k) {
+      const AdvanceReport report = stepper.advance(state, k * interval);
+      ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
+      auditor.observe(state, report);
+      states.push_back(state);
+    }
+
+    // From the last State before, and the audit says why; its promises are kept.
+    const Audit audit = auditor.audit(state);
+    EXPECT_EQ(audit.violations, std::vector<std::string>{});
+    ASSERT_EQ(audit.spans.size(), 2u);
+    const SchemeSpan &events = audit.spans[0].of, &steps = audit.spans[1].of;
+    EXPECT_EQ(events.scheme, resolved.method.scheme);
+    EXPECT_EQ(steps.scheme, Scheme::time_stepping);
+    EXPECT_GE(events.end, lost_from - interval);
+    EXPECT_NE(events.end_cause.find("body 'body0' turns too fast, at t = "), std::string::npos);
+    EXPECT_NE(events.end_cause.find(fmt::format("went on from t = {:.9g} s", events.end)), std::string::npos);
+
+    // A resumed run goes the same way, and a scheme that is named stops.
+    for (const std::size_t place : {1u, 4u, 20u}) {
+      State resumed = deserialise(serialise(states[place]));
+      AutoStepper fresh = lost();
+      for (std::size_t i = place + 1; i < 30; ++i) {
+        fresh.advance(resumed, static_cast<double>(i + 1) * interval);
+        ASSERT_EQ(resumed, states[i]) << "at t = " << resumed.t;
+      }
+    }
+    State named = make_initial_state(*model);
+    EXPECT_EQ(LostEvents(model, resolved.method, lost_from).advance(named, 0.6).reason,
+              StopReason::unresolved);
+    EXPECT_EQ(named, make_initial_state(*model));
+  }
+}
+
+TEST(Handover, EventsThatAreLostOnceAreTriedAgain) {
+  // In the first call already: steps go on from the beginning, and events are asked again two seconds later.
+  const std::shared_ptr<const Model> model = heap(0);
+  const ResolvedMethod resolved = resolve_scheme(*model, automatic());
+  State state = make_initial_state(*model);
+  AutoStepper stepper(model, std::make_unique<LostEvents>(model, resolved.method, 0), resolved, step);
+  const AdvanceReport report = stepper.advance(state, 2.5);
+  ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
+  ASSERT_GE(report.spans.size(), 2u);
+  EXPECT_EQ(report.spans[0].begin, report.spans[0].end);
+  EXPECT_EQ(report.spans[1].begin, 0);
+  EXPECT_EQ(report.spans[1].scheme, Scheme::time_stepping);
+  EXPECT_NEAR(report.spans[1].end, 2, 0.1);
 }
 
 TEST(Handover, WhoWantsExactStepsHasNoLastResort) {
