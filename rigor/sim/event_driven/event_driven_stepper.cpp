@@ -2,7 +2,6 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/core/work_count.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
@@ -27,16 +26,6 @@ BodyPhase anchor_in(const State& state, int body) {
   const double* y = &state.anchor[13 * at(body)];
   return {Vec3(y[0], y[1], y[2]), Quat(y[3], y[4], y[5], y[6]), Vec3(y[7], y[8], y[9]),
           Vec3(y[10], y[11], y[12])};
-}
-
-/// Operations (count_work) in units of AdvanceReport::effort.
-constexpr double of_an_operation = 1e-2;
-/// Those of following bodies (count_following) weigh more: equal steps do with a small part of them, where
-/// they pose as many problems.
-constexpr double of_following = 2.5 * of_an_operation;
-
-double units(std::uint64_t operations, double each) {
-  return each * static_cast<double>(operations);
 }
 
 }  // namespace
@@ -235,24 +224,9 @@ void EventDrivenStepper::note_search(const QueuedEvent& event) {
                  share_of_step / most_searches * target_step_);
 }
 
-/// Goes on with a search that was broken off. Where it was left before this span began, the whole run has
-/// paid for it then.
-void EventDrivenStepper::continue_search() {
-  note_search(next_);
-  const std::uint64_t before = following_counted();
-  trajectories_.continue_search(next_, queue_);
-  if (next_.time >= begin_) charge(units(following_counted() - before, of_following));
-}
-
-void EventDrivenStepper::charge(double effort) {
-  report_.effort += effort;
-  budget_.charge(effort, t_);
-}
-
 /// One event: the bodies concerned are brought to now, collide, come to rest or part, and set out anew.
 void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector<int> changed) {
-  const double effort_before = report_.effort;
-  const std::uint64_t work_before = work_counted(), following_before = following_counted();
+  const WorkBefore before = work_so_far();
   Cluster cluster = compute_new_body_states(seeds);
   if (WorkBudget foreseen = budget_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
     // Who takes over takes the bodies as they came here.
@@ -265,45 +239,19 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
 
-  // What it has cost: its problems, as measured with the steps that they come with, or these steps and what
-  // follows the bodies, where that is more.
-  const double of_problems = report_.effort - effort_before;
-  const double of_steps = units(work_counted() - work_before, of_an_operation),
-               of_ways = units(following_counted() - following_before, of_following);
-  report_.effort = effort_before;
-  charge(std::max(of_problems, of_steps + of_ways));
+  charge_event(before);
   drop_stale_events();
   constexpr std::size_t most_pieces = 4096;
   if (trajectories_.piece_count() > most_pieces) witness_.watch(trajectories_.take_paths(t_), report_);
-}
-
-/// What the impact of a cluster costs at the least (AdvanceReport::effort); 0 if nothing approaches.
-double EventDrivenStepper::least_effort_of(const Cluster& cluster) const {
-  // Large groups that are hit take more, often many times as much.
-  constexpr double iterations = 10;
-  if (!std::isfinite(budget_.most)) return 0;
-  const auto kinetics = [&](int body) {
-    return is_dynamic(body) ? dynamic_kinetics(model_->body(body), cluster.phase_of(body))
-                            : prescribed_kinetics(model_->body(body), cluster.t);
-  };
-  const bool approaches =
-      std::any_of(cluster.contacts.begin(), cluster.contacts.end(), [&](const Contact& c) {
-        if (c.stop) return false;
-        const Vec3 u = kinetics(c.body_B).velocity_at(c.p_W()) - kinetics(c.body_A).velocity_at(c.p_W());
-        return c.point.n_W.dot(u) < -method_.resting_velocity;
-      });
-  const double count = static_cast<double>(cluster.contacts.size());
-  return approaches ? iterations * count * count : 0;
 }
 
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
 /// the body, or hangs from it, notices.
 void EventDrivenStepper::begin_new_window(int body) {
   if (trajectories_.motion(body).end() > t_) {
-    const std::uint64_t before = following_counted();
+    const WorkBefore before = work_so_far();
     trajectories_.predict({body}, t_, queue_);
-    charge(units(following_counted() - before, of_following));
-    return;
+    return charge_following(before);
   }
   renew_prescribed(body);
   handle_event(moved_by(body), {body});

@@ -14,6 +14,7 @@
 #include "rigor/sim/report/work_budget.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -88,8 +89,16 @@ class EventDrivenStepper : public Stepper {
   double least_effort_of(const Cluster& cluster) const;
   void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
   void begin_new_window(int body);
+  /// What was counted before something began.
+  struct WorkBefore {
+    double effort;
+    std::uint64_t steps, following;  ///< Operations.
+  };
+  WorkBefore work_so_far() const;
   void continue_search();
   void charge(double effort);
+  void charge_following(const WorkBefore& before);
+  void charge_event(const WorkBefore& before);
   void add_body(int body, Cluster& cluster);
   IslandStep cut_short(const RunningIsland& running) const;
   void put_joints_back(const Island& island, IslandStep& step);

@@ -35,6 +35,13 @@ BodyDescription body_of(const Shape& shape, const Vec3& p_W) {
   return body;
 }
 
+ModelBuilder::JointDescription joint_at(JointType type, const Vec3& p_W) {
+  ModelBuilder::JointDescription joint;
+  joint.type = type;
+  joint.anchors = {p_W};
+  return joint;
+}
+
 /// Any body: all shapes, one in five of two shapes, one in ten kinematic or fixed.
 BodyDescription any_body(Draw& draw) {
   const Vec3 p_W(draw.between(-1.5, 1.5), draw.between(-1.5, 1.5), draw.between(0.3, 2));
@@ -228,9 +235,7 @@ TEST(BulkEdits, WhatRestsOnABodyThatGoesWakesAndFalls) {
 TEST(BulkEdits, ABodyOnAJointThatGoesFallsAndSwingsWhileItIsThere) {
   BulkSimulation simulation(ground().build());
   const BodyId bob = simulation.add_body(body_of(Sphere{0.1}, Vec3(1, 0, 5)));
-  ModelBuilder::JointDescription ball;
-  ball.type = JointType::ball;
-  ball.anchors = {Vec3(0, 0, 5)};
+  const ModelBuilder::JointDescription ball = joint_at(JointType::ball, Vec3(0, 0, 5));
   const std::optional<JointId> joint = simulation.add_joint(ball, bob, world_end);
   ASSERT_TRUE(joint);
   for (int k = 0; k < 200; ++k) {
@@ -252,9 +257,7 @@ TEST(BulkEdits, ABodyOnAJointThatGoesFallsAndSwingsWhileItIsThere) {
 TEST(BulkEdits, AShelfWhoseJointGoesFallsAndRestsOnTheFloor) {
   BulkSimulation simulation(ground().build());
   const BodyId shelf = simulation.add_body(body_of(Box{Vec3(0.5, 0.3, 0.05)}, Vec3(0, 0, 0.5)));
-  ModelBuilder::JointDescription fixed;
-  fixed.type = JointType::fixed;
-  fixed.anchors = {Vec3(0, 0, 0.5)};
+  const ModelBuilder::JointDescription fixed = joint_at(JointType::fixed, Vec3(0, 0, 0.5));
   const std::optional<JointId> joint = simulation.add_joint(fixed, shelf, world_end);
   ASSERT_TRUE(joint);
   // While it is held, contacts take it as one that stands; then no longer.
@@ -268,9 +271,7 @@ TEST(BulkEdits, AShelfWhoseJointGoesFallsAndRestsOnTheFloor) {
 TEST(BulkEdits, AMotorIsSwitchedOnAndOff) {
   BulkSimulation simulation(ground().build());
   const BodyId arm = simulation.add_body(body_of(Box{Vec3(0.5, 0.05, 0.05)}, Vec3(0, 0, 5)));
-  ModelBuilder::JointDescription hinge;
-  hinge.type = JointType::hinge;
-  hinge.anchors = {Vec3(0, 0, 5)};
+  const ModelBuilder::JointDescription hinge = joint_at(JointType::hinge, Vec3(0, 0, 5));
   const JointId joint = *simulation.add_joint(hinge, world_end, arm);
   EXPECT_EQ(simulation.set_motor(joint, 1, JointMotor{2, 1e4}), BulkStatus::no_such_coordinate);
   EXPECT_EQ(simulation.set_motor(joint, 0, JointMotor{2, 1e4}), BulkStatus::done);
@@ -284,9 +285,7 @@ TEST(BulkEdits, AMotorIsSwitchedOnAndOff) {
 TEST(BulkEdits, OtherNumbersOfLawsTakeEffect) {
   BulkSimulation simulation(ground().build());
   const BodyId arm = simulation.add_body(body_of(Box{Vec3(0.5, 0.05, 0.05)}, Vec3(0.5, 0, 5)));
-  ModelBuilder::JointDescription hinge;
-  hinge.type = JointType::hinge;
-  hinge.anchors = {Vec3(0, 0, 5)};
+  ModelBuilder::JointDescription hinge = joint_at(JointType::hinge, Vec3(0, 0, 5));
   hinge.axis = Vec3::UnitY();
   hinge.axes = {{.lower = -1, .upper = 0.1}};
   const JointId joint = *simulation.add_joint(hinge, world_end, arm);

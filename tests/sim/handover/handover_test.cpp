@@ -1,22 +1,19 @@
 // `auto` hands over between events and fixed steps: where, how accurately, and with the same bits whenever
 // the run is put aside. The bounds are lower than those of a run, so that small heaps cross them.
 
-#include "random_vectors.hpp"
-#include "rigor/core/index.hpp"
+#include "sim/handover/falling_heaps.hpp"
+
 #include "rigor/core/work_count.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/shape/height_field.hpp"
-#include "rigor/model/model_builder.hpp"
 #include "rigor/sim/audit/audit.hpp"
 #include "rigor/sim/drives/driven_stepper.hpp"
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/handover/auto_stepper.hpp"
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
-#include "rigor/sim/report/unresolved.hpp"
 #include "rigor/sim/simulation.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -24,56 +21,7 @@
 namespace rigor::handover_test {
 namespace {
 
-constexpr double step = 0.01, interval = 0.02;
 constexpr HandoverBounds low_bounds{.paid_by_events = 4e3, .most_owed = 400, .paid_by_steps = 2e3};
-
-Method automatic() {
-  Method method;
-  method.scheme = Scheme::automatic;
-  return method;
-}
-
-/// A few boxes and balls that fall askew on a floor, or a row of balls that one hits. The same seed gives the
-/// same.
-ModelBuilder heap_builder(unsigned seed) {
-  test::Random random(seed);
-  ModelBuilder builder;
-  builder.set_gravity(Vec3(0, 0, -9.81));
-  Material material{"m", 1000, 0.5, 0};
-  material.restitution = seed % 3 == 0 ? 0 : random.uniform(0, 0.7);
-  builder.add_material(material);
-  const auto add = [&](const std::string& name, const Shape& shape, const Vec3& x, const Quat& q,
-                       const Vec3& v) {
-    BodyDescription body;
-    body.name = name;
-    body.p_WU = x;
-    body.q_WU = q;
-    body.velocity = v;
-    if (is_unbounded(shape)) body.motion = MotionType::fixed;
-    body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
-    builder.add_body(body);
-  };
-  add("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), Vec3::Zero());
-  if (seed % 4 == 3) {
-    // A row that rests on the floor is hit.
-    for (int k = 0; k < 4; ++k)
-      add("ball" + std::to_string(k), Sphere{0.1}, Vec3(0.2 * k, 0, 0.1), Quat::Identity(), Vec3::Zero());
-    add("striker", Sphere{0.1}, Vec3(-0.5, 0.02, 0.1), Quat::Identity(), Vec3(3, 0, 0));
-    return builder;
-  }
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 place(0.03 * random.uniform(-1, 1), 0.03 * random.uniform(-1, 1), 0.12 + 0.26 * k);
-    const Quat turn =
-        Quat(1, 0.3 * random.uniform(-1, 1), 0.3 * random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
-    const Shape shape = (seed + at(k)) % 3 == 2 ? Shape(Sphere{0.07}) : Shape(Box{Vec3(0.08, 0.06, 0.05)});
-    add("body" + std::to_string(k), shape, place, turn, Vec3(0, 0, -1));
-  }
-  return builder;
-}
-
-std::shared_ptr<const Model> heap(unsigned seed) {
-  return heap_builder(seed).build();
-}
 
 std::unique_ptr<AutoStepper> auto_stepper(const std::shared_ptr<const Model>& model,
                                           const HandoverBounds& bounds = low_bounds) {
@@ -473,83 +421,6 @@ TEST(Handover, AnImpactThatIsTooDearIsNotBegun) {
   auto_stepper(model, {.paid_by_events = 1, .most_owed = 9, .paid_by_steps = 1})->advance(at_impact, t);
   EXPECT_NEAR(at_impact.linear_momentum(1).z(), -m * g * t, 1e-12 * m * g);
   EXPECT_EQ(auditor.audit(state).violations, std::vector<std::string>{});
-}
-
-/// Events that cannot follow a motion from some time on.
-class LostEvents : public EventDrivenStepper {
- public:
-  LostEvents(std::shared_ptr<const Model> model, const Method& method, double lost_from)
-      : EventDrivenStepper(std::move(model), method, step), lost_from_(lost_from) {}
-
- private:
-  bool apply_impulses(Cluster& part) override {
-    if (part.t >= lost_from_) throw Unresolved({1}, "body 'body0' turns too fast");
-    return EventDrivenStepper::apply_impulses(part);
-  }
-  double lost_from_;
-};
-
-TEST(Handover, WhatEventsCannotFollowIsLeftToSteps) {
-  for (unsigned seed = 0; seed < 8; ++seed) {
-    SCOPED_TRACE(seed);
-    const std::shared_ptr<const Model> model = heap(seed);
-    const ResolvedMethod resolved = resolve_scheme(*model, automatic());
-    const double lost_from = 0.1 + 0.02 * seed;
-    const auto lost = [&] {
-      return AutoStepper(model, std::make_unique<LostEvents>(model, resolved.method, lost_from), resolved,
-                         step);
-    };
-    State state = make_initial_state(*model);
-    Auditor auditor(model, automatic(), state);
-    AutoStepper stepper = lost();
-    std::vector<State> states;
-    for (int k = 1; k <= 30; ++k) {
-      const AdvanceReport report = stepper.advance(state, k * interval);
-      ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
-      auditor.observe(state, report);
-      states.push_back(state);
-    }
-
-    // From the last State before, and the audit says why; its promises are kept.
-    const Audit audit = auditor.audit(state);
-    EXPECT_EQ(audit.violations, std::vector<std::string>{});
-    ASSERT_EQ(audit.spans.size(), 2u);
-    const SchemeSpan &events = audit.spans[0].of, &steps = audit.spans[1].of;
-    EXPECT_EQ(events.scheme, resolved.method.scheme);
-    EXPECT_EQ(steps.scheme, Scheme::time_stepping);
-    EXPECT_GE(events.end, lost_from - interval);
-    EXPECT_NE(events.end_cause.find("body 'body0' turns too fast, at t = "), std::string::npos);
-    EXPECT_NE(events.end_cause.find(fmt::format("went on from t = {:.9g} s", events.end)), std::string::npos);
-
-    // A resumed run goes the same way, and a scheme that is named stops.
-    for (const std::size_t place : {1u, 4u, 20u}) {
-      State resumed = deserialise(serialise(states[place]));
-      AutoStepper fresh = lost();
-      for (std::size_t i = place + 1; i < 30; ++i) {
-        fresh.advance(resumed, static_cast<double>(i + 1) * interval);
-        ASSERT_EQ(resumed, states[i]) << "at t = " << resumed.t;
-      }
-    }
-    State named = make_initial_state(*model);
-    EXPECT_EQ(LostEvents(model, resolved.method, lost_from).advance(named, 0.6).reason,
-              StopReason::unresolved);
-    EXPECT_EQ(named, make_initial_state(*model));
-  }
-}
-
-TEST(Handover, EventsThatAreLostOnceAreTriedAgain) {
-  // In the first call already: steps go on from the beginning, and events are asked again two seconds later.
-  const std::shared_ptr<const Model> model = heap(0);
-  const ResolvedMethod resolved = resolve_scheme(*model, automatic());
-  State state = make_initial_state(*model);
-  AutoStepper stepper(model, std::make_unique<LostEvents>(model, resolved.method, 0), resolved, step);
-  const AdvanceReport report = stepper.advance(state, 2.5);
-  ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail;
-  ASSERT_GE(report.spans.size(), 2u);
-  EXPECT_EQ(report.spans[0].begin, report.spans[0].end);
-  EXPECT_EQ(report.spans[1].begin, 0);
-  EXPECT_EQ(report.spans[1].scheme, Scheme::time_stepping);
-  EXPECT_NEAR(report.spans[1].end, 2, 0.1);
 }
 
 TEST(Handover, WhoWantsExactStepsHasNoLastResort) {
