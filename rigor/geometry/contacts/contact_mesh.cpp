@@ -138,6 +138,17 @@ struct NormalSlack {
   double end;     ///< Off those that a face or an edge keeps up to its ends.
 };
 
+/// Whether n may be that of a face at its edge as it may inside of the face: tilted along the edge only, not
+/// away from the face.
+bool is_along_face_at(const Mesh& mesh, int edge, const Vec3& n_M, const Vec3& normal,
+                      const NormalSlack& slack) {
+  const std::array<int, 3>& corners = mesh.mesh->triangles[at(edge / 3)];
+  const std::size_t k = at(edge % 3);
+  const Vec3 along = mesh.mesh->vertices[at(corners[(k + 1) % 3])] - mesh.mesh->vertices[at(corners[k])];
+  const bool is_tilted_away = std::abs(n_M.dot(along.cross(normal))) > slack.end * along.norm();
+  return !is_tilted_away && n_M.dot(normal) > 0.5 && n_M.cross(normal).norm() <= slack.face;
+}
+
 /// Is n a normal of the mesh at the contact's feature? The back of a closed surface has none. On a face it is
 /// the face's. At the foot of a wall edge and vertex have none of their own, since the floor rises along all
 /// of them: but what touches the wall, or its upright edge, down to the foot touches it there too.
@@ -145,14 +156,13 @@ bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M
                        const NormalSlack& slack) {
   const double facing = n_M.dot(normal), off = n_M.cross(normal).norm();
   if (mesh.tree->is_closed && facing < -kConeSlack) return false;
-  const bool is_of_face = facing > 0 && off <= slack.end;
   switch (feature.kind) {
     case Feature::Kind::vertex:
-      return is_of_face || is_in_vertex_cone(mesh, feature.index, n_M, slack.border) ||
+      return (facing > 0 && off <= slack.end) || is_in_vertex_cone(mesh, feature.index, n_M, slack.border) ||
              is_across_edge_at(mesh, feature.index, n_M, slack.end);
     case Feature::Kind::edge:
-      return feature.index != kNoMeshEdge &&
-             (is_of_face || is_in_edge_cone(mesh, feature.index, n_M, slack.border));
+      return feature.index != kNoMeshEdge && (is_along_face_at(mesh, feature.index, n_M, normal, slack) ||
+                                              is_in_edge_cone(mesh, feature.index, n_M, slack.border));
     default:
       return std::abs(facing) > 0.5 && off <= slack.face;
   }

@@ -47,7 +47,8 @@ struct ContactPoint {
 /// with the points where its rim crosses that face's border and the corners of that face under it; where it
 /// is tilted, and does not overlap, the lowest point of its rim joins them. A convex mesh is its solid.
 /// Another is the union over its faces near the other shape (two: mesh_pair_contacts.hpp): edges inside
-/// flat patches and concave edges give no contact, and the back of a face only if the mesh is open. Where no
+/// flat patches and concave edges give no contact of their own (what touches a wall touches it down to its
+/// foot), and the back of a face only if the mesh is open. Where no
 /// face has one although the shapes overlap, as when one lies inside the other, the way out is the one
 /// contact, marked degenerate.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,

@@ -184,6 +184,27 @@ TEST(ContactSetOfMeshes, ReachesDownToTheFootOfAWall) {
     EXPECT_GE(of_floor.size(), 3u);
     for (const ContactPoint& contact : of_floor) EXPECT_NEAR(contact.n_W.z(), 1, kRounding);
   }
+
+  // What is about to meet a wide wall askew will do so down to the foot, too.
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const ContactReach within{kTolerance, 0.02};
+    const Box box{Vec3(uniform(0.05, 0.2), uniform(0.05, 0.1), uniform(0.03, 0.3))};
+    const double angle = uniform(-0.05, 0.05);
+    const Vec3 m(std::cos(angle), std::sin(angle), 0);
+    const double before = uniform(0.001, 0.015) + box.half_extents.y() * std::abs(m.y());
+    const Pose X_WB =
+        turned(Vec3::UnitZ(), angle,
+               Vec3(-0.2 - before - box.half_extents.x() * m.x(), uniform(-0.1, 0.1), box.half_extents.z()));
+    std::vector<ContactPoint> of_wall;
+    for (const ContactPoint& contact : contact_set(mesh, Pose{}, box, X_WB, within)) {
+      if (std::abs(contact.n_W.z()) < 0.5) of_wall.push_back(contact);
+    }
+    const Pose X_WP{Mat3::Identity(), Vec3(0, 0, 0.4)};
+    const std::vector<ContactPoint> expected = contact_set(pillar, X_WP, box, X_WB, within);
+    EXPECT_GE(expected.size(), 2u);
+    expect_same_points(of_wall, expected, 10 * kRounding, "before the wall");
+  }
 }
 
 TEST(ContactSetOfMeshes, OfEdgesCornersAndRoundShapesOnATessellatedFloorHasNoGhosts) {
