@@ -238,7 +238,8 @@ class FacetContacts {
     // What touches through a side that is none of the surface is kept aside. The shape may leave a part along
     // a normal of its own that would not part it from the patch: within the tolerance it lies flat on both.
     const double most_tilt = !is_part ? 1 : kAlongNormal + 4 * reach_ / face.size();
-    const double flat = kAlongNormal + 4 * tolerance_ / face.size();
+    // One point, as that of a ball, does not lie on anything down to its end.
+    const double flat = found.size() > 1 ? kAlongNormal + 4 * tolerance_ / face.size() : kConeSlack;
     bool is_blocked = is_part && found.empty();
     for (const ContactPoint& contact : found) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;

@@ -45,14 +45,15 @@ void EventDrivenStepper::charge_following(const WorkBefore& before) {
   charge(units(following_counted() - before.following, of_following));
 }
 
-/// An event: its problems, as measured with the steps that they come with, or these steps and what follows
-/// the bodies, where that is more.
+/// An event: its problems, as measured with the steps that they come with, or what follows the bodies, where
+/// that is more. The budget pays for the steps, too; a resumed run takes again what it was in the middle of,
+/// so that they are no part of what is told.
 void EventDrivenStepper::charge_event(const WorkBefore& before) {
   const double of_problems = report_.effort - before.effort;
   const double of_steps = units(work_counted() - before.steps, of_an_operation),
                of_ways = units(following_counted() - before.following, of_following);
-  report_.effort = before.effort;
-  charge(std::max(of_problems, of_steps + of_ways));
+  report_.effort = before.effort + std::max(of_problems, of_ways);
+  budget_.charge(std::max(of_problems, of_steps + of_ways), t_);
 }
 
 /// What the impact of a cluster costs at the least (AdvanceReport::effort); 0 if nothing approaches.

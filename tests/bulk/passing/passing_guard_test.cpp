@@ -115,10 +115,10 @@ int deep_contacts_in_pen(unsigned seed) {
 }
 
 TEST(PassingGuard, JammedBodiesDoNotGoIntoEachOther) {
-  // 96 here, 1 to 57 a draw. In the first of them alone 168 if bodies keep what others hold.
+  // 531 here, 0 to 157 a draw; 1,400 where the jams of a step are not calmed, 19 to 313 a draw.
   int deep = 0;
-  for (unsigned seed = 6; seed < 10; ++seed) deep += deep_contacts_in_pen(seed);
-  EXPECT_LT(deep, 150);
+  for (unsigned seed = 6; seed < 22; ++seed) deep += deep_contacts_in_pen(seed);
+  EXPECT_LT(deep, 950);
 }
 
 /// What is driven must get out of the way, however deep it is; a crowd that nothing drives is held as if
