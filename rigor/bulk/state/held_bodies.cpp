@@ -49,8 +49,8 @@ void add_rows(const Model& model, const Joint& joint, int body, Mat6& sum) {
 }  // namespace
 
 HeldBodies::HeldBodies(const Model& model) : is_held_(at(model.body_count()), 0) {
-  std::vector<int> whole;  // Of each body.
-  for (int body = 0; body < model.body_count(); ++body) whole.push_back(whole_of_its_own(model, body));
+  std::vector<int> whole(at(model.body_count()));
+  for (int body = 0; body < model.body_count(); ++body) whole[at(body)] = whole_of_its_own(model, body);
   const auto whole_at = [&](int body) { return body == world_body ? world_whole : whole[at(body)]; };
   std::vector<std::vector<int>> joints_of(at(model.body_count()));
   std::vector<int> open;  // Bodies that may be held now.

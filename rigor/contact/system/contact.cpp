@@ -63,12 +63,9 @@ bool is_same(const Contact& a, const Contact& b, double tolerance) {
          (a.point.n_W - b.point.n_W).norm() <= same_direction;
 }
 
-}  // namespace
-
-namespace {
-
 /// `points_of`: the contact points of two placed shapes.
 template <class PointsOf>
+// NOLINTNEXTLINE(readability-function-size): two bodies, each with its pose.
 std::vector<Contact> contacts_of_shapes(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                         const ContactReach& within, const PointsOf& points_of) {
   const Body& A = model.body(a);

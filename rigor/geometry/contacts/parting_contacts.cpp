@@ -46,6 +46,7 @@ std::vector<ContactPoint> contacts_along(const ContactPair& pair, const FlatFace
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two shapes, each with its pose.
 std::optional<std::vector<ContactPoint>> parting_contacts(const Shape& shape_a, const Pose& X_WA,
                                                           const Shape& shape_b, const Pose& X_WB,
                                                           double tolerance,

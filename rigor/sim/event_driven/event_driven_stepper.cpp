@@ -94,8 +94,8 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
-    std::vector<bool> has_events;
-    for (int body = 0; body < model_->body_count(); ++body) has_events.push_back(is_dynamic(body));
+    std::vector<bool> has_events(at(model_->body_count()));
+    for (int body = 0; body < model_->body_count(); ++body) has_events[at(body)] = is_dynamic(body);
     forces_.reset(std::move(has_events));
     island_of_.assign(at(model_->body_count()), -1);
   }
