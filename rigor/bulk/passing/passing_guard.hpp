@@ -3,6 +3,7 @@
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/passing/body_boxes.hpp"
 #include "rigor/bulk/passing/free_path.hpp"
 #include "rigor/bulk/passing/jointed_paths.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
@@ -101,6 +102,7 @@ class PassingGuard {
     double ball_inside = -1;  ///< Radius of the ball inside that a surface cannot lose [m]; -1: a surface.
     double ball_offset = 0;   ///< Of that ball's centre from the body's [m].
     double turning = 0;       ///< How far from the body's centre rotation moves points [m].
+    Aabb box_B{Vec3::Zero(), Vec3::Zero()};  ///< About it, in the frame of the body.
     /// How deep a point may be inside where it is thick, as hulls are in their middle, however pointed [m].
     double depth() const { return std::max(thickness, ball_inside); }
   };
@@ -118,6 +120,7 @@ class PassingGuard {
   double path_on(int body, int other, const BulkBodies& bodies) const;
   bool is_far(const ShapePair& pair, double least, const BulkBodies& bodies) const;
   bool may_meet(int a, int b, const BulkBodies& bodies) const;
+  BodyBoxes::Way way_of(int body, const BulkBodies& bodies) const;
   double share_of(int body, const BulkBodies& bodies) const {
     return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
   }
@@ -170,6 +173,7 @@ class PassingGuard {
   double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].
   int surfaces_ = 0;  ///< How many shapes have been surfaces.
   bool has_jointed_ = false;
+  BodyBoxes boxes_;
   JointedPaths paths_;
   bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
   /// Where a body goes at the velocities of the beginning.

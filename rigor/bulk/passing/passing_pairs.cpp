@@ -88,15 +88,22 @@ bool PassingGuard::is_far(const ShapePair& pair, double least, const BulkBodies&
   return path > least && !keeps_off_surface(pair, bodies);
 }
 
-/// Whether the balls about two bodies come to overlap as far as these may go now.
+/// How far a body may go now.
+BodyBoxes::Way PassingGuard::way_of(int body, const BulkBodies& bodies) const {
+  const MotionRecord& m = bodies.motion[at(body)];
+  const double share = share_of(body, bodies);
+  return {share * vector_of(m.dp), share * turning_[at(body)] * norm_of(m.dr)};
+}
+
+/// Whether the balls and the boxes about two bodies come to overlap as far as these may go now.
 bool PassingGuard::may_meet(int a, int b, const BulkBodies& bodies) const {
   if (bends(a, bodies) || bends(b, bodies)) return true;
-  const Vec3 from = bodies.x[at(b)] - bodies.x[at(a)],
-             path = share_of(b, bodies) * vector_of(bodies.motion[at(b)].dp) -
-                    share_of(a, bodies) * vector_of(bodies.motion[at(a)].dp);
+  const BodyBoxes::Way of_a = way_of(a, bodies), of_b = way_of(b, bodies);
+  const Vec3 from = bodies.x[at(b)] - bodies.x[at(a)], path = of_b.dp_W - of_a.dp_W;
   const double squared = path.squaredNorm();
   const double nearest = squared > 0 ? std::clamp(-from.dot(path) / squared, 0.0, 1.0) : 0;
-  return (from + nearest * path).norm() <= model_->body(a).bounding_radius + model_->body(b).bounding_radius;
+  const double radii = model_->body(a).bounding_radius + model_->body(b).bounding_radius;
+  return (from + nearest * path).norm() <= radii && !boxes_.are_parted(a, b, from, of_a, of_b);
 }
 
 /// Finds how far points of each body have moved; returns the most of all [m].
@@ -182,6 +189,7 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
   constexpr double rounding = 1e-5;
   const double thinnest = (1 - rounding) * least_thickness_;
   if (2 * most <= least_share * thinnest) return;
+  boxes_.place(bodies);
 
   // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step;
   // but what is stopped for that does not get out of the way of what drives its island.
@@ -292,18 +300,24 @@ Vec3 PassingGuard::normal_of(std::size_t pair, const ManifoldList& manifolds) co
 }
 
 /// Boxes that bodies do not leave in the step: their centres go straight, and their points are no farther
-/// from them than the bounding radius. The tree is kept, and made anew now and then: it gets worse the
-/// farther the boxes move.
+/// from them than the bounding radius, nor from where they were than rotations move them. The tree is kept,
+/// and made anew now and then: it gets worse the farther the boxes move.
 void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   if (is_swept_) return;
   is_swept_ = true;
   constexpr int refits = 64;
   swept_.clear();
   for (int i = 0; i < bodies.count(); ++i) {
-    const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
+    const MotionRecord& motion = bodies.motion[at(i)];
+    const Vec3 &x = bodies.x[at(i)], y = x + vector_of(motion.dp);
     Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
     if (bends(i, bodies)) box = {x + paths_.box(i).lower, x + paths_.box(i).upper};
-    swept_.push_back(box.grown(model_->body(i).bounding_radius));
+    box = box.grown(model_->body(i).bounding_radius);
+    // Long bodies are far thinner than the balls about them.
+    const std::optional<Aabb> tight =
+        bends(i, bodies) ? std::nullopt : boxes_.swept(i, {y - x, turning_[at(i)] * norm_of(motion.dr)});
+    if (tight) box = {box.lower.cwiseMax(x + tight->lower), box.upper.cwiseMin(x + tight->upper)};
+    swept_.push_back(box);
   }
   if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
   std::vector<BoxItem> items;
