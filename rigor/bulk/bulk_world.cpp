@@ -272,6 +272,9 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   find_bodies_outside_chains(h);
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
   s.joints->prepare(bodies_, substep, s.executor);
+  s.displaced_alone.clear();
+  for (const int body : s.outside_chains)
+    if (!s.joints->displaces(body)) s.displaced_alone.push_back(body);
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.balance.begin(bodies_);
   report.direct_islands = solve_directly(h);
@@ -367,10 +370,10 @@ void BulkWorld::take_substep(bool is_first, float h) {
   }
   // One sweep that puts overlaps back at the rate of the spring, then the joints hold.
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
-  s.joints->solve(JointPass::places_anew, s.executor);
+  s.joints->solve_and_displace(bodies_, s.executor);
   integrate_positions(h);
   // After positions have moved, a sweep of velocities alone, so that springs add no speed.
-  s.joints->solve(JointPass::rates, s.executor);
+  s.joints->solve_rates_of_driven(s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
@@ -473,15 +476,11 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
 }
 
 void BulkWorld::integrate_positions(float h) {
-  const std::vector<int>& moving = scratch_->outside_chains;
+  // Most bodies of joints have gone on with these.
+  const std::vector<int>& moving = scratch_->displaced_alone;
   scratch_->executor.for_ranges(static_cast<int>(moving.size()), 256, [&](int begin, int end) {
     MotionRecord* const records = bodies_.motion.data();
-    for (int place = begin; place < end; ++place) {
-      MotionRecord& motion = records[moving[at(place)]];
-      // Displacements are added up relative to the beginning of the step, in 32 bits.
-      for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
-      turn_further(h, motion);
-    }
+    for (int place = begin; place < end; ++place) displace(h, records[moving[at(place)]]);
   });
 }
 

@@ -69,6 +69,7 @@ struct BulkWorld::Scratch {
   std::vector<MotionRecord> motion_before;  ///< At the beginning of a step that may be taken back.
   double vibration = 0;                     ///< The fastest that taut joints have held in the step [rad/s].
   std::vector<int> outside_chains;          ///< Bodies that move and are not in a contact-free chain.
+  std::vector<int> displaced_alone;         ///< Those of them that joints do not displace.
 };
 
 }  // namespace rigor

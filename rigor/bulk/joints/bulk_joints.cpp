@@ -21,9 +21,11 @@ struct BulkJoints::Blocks {
       contact_free_chains;               ///< Of each block that can be of contact-free chains.
   bool has_contact_free_chains = false;  ///< In this step.
   std::vector<char> is_free;             ///< Each body, in this step.
+  std::vector<char> is_displaced;        ///< Each body, by solve_and_displace(), in this step.
   std::vector<int> other_joints;         ///< That no contact-free chains have, but for gears; ascending.
   std::vector<int> moved;                ///< A dynamic body of each joint.
   bool are_limits_new = false;           ///< Since the last step.
+  bool has_driven = false;               ///< Whether something that moves as it must holds a system.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -128,6 +130,14 @@ void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor)
   }
   blocks_->for_each(executor,
                     [&](BulkJointBlock& block) { prepare_joint_block(blocks_->effort(), bodies, block); });
+  // Who is displaced with the joints.
+  blocks_->has_driven = false;
+  blocks_->is_displaced.assign(blocks_->blocks.empty() ? 0 : bodies.x.size(), 0);
+  for (const BulkJointBlock& block : blocks_->blocks) {
+    blocks_->has_driven = blocks_->has_driven || block.is_driven;
+    if (!block.is_moving || block.is_driven) continue;
+    for_moved_bodies(bodies, block, [&](int body) { blocks_->is_displaced[at(body)] = 1; });
+  }
 }
 
 void BulkJoints::solve(JointPass pass, const Executor& executor) {
@@ -138,6 +148,27 @@ void BulkJoints::solve(JointPass pass, const Executor& executor) {
     } else {
       solve_before_displacements(blocks_->effort(), pass == JointPass::places_anew, block);
     }
+  });
+}
+
+void BulkJoints::solve_and_displace(BulkBodies& bodies, const Executor& executor) {
+  blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    if (!block.is_moving) return;
+    solve_before_displacements(blocks_->effort(), true, block);
+    if (block.is_driven) return;
+    displace_bodies(blocks_->h, bodies, block);
+    solve_after_displacements(blocks_->effort(), block);
+  });
+}
+
+bool BulkJoints::displaces(int body) const {
+  return !blocks_->is_displaced.empty() && blocks_->is_displaced[at(body)] != 0;
+}
+
+void BulkJoints::solve_rates_of_driven(const Executor& executor) {
+  if (!blocks_->has_driven) return;
+  blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    if (block.is_moving && block.is_driven) solve_after_displacements(blocks_->effort(), block);
   });
 }
 

@@ -51,6 +51,13 @@ class BulkJoints {
   void advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
                                    BulkBodies& bodies, const Executor& executor);
   void solve(JointPass pass, const Executor& executor);
+  /// solve(places_anew), then, of systems that nothing holds which moves as it must, the displacements and
+  /// solve(rates) at once, while they are in the cache.
+  void solve_and_displace(BulkBodies& bodies, const Executor& executor);
+  /// Whether that displaces the body in this step.
+  bool displaces(int body) const;
+  /// solve(rates) of the other systems, once all others are displaced.
+  void solve_rates_of_driven(const Executor& executor);
   /// Whether there are systems with loops.
   bool has_loops() const;
   /// Bound of the frequencies [rad/s] of the vibrations that the forces of the last substep hold in systems

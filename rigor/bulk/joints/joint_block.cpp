@@ -80,7 +80,7 @@ void set_all_masses(const Model& model, JointBlock& block) {
 /// Where the records of the bodies are. Lanes of systems that sleep, or are taken by ContactFreeChains, have
 /// records of their own, so that nothing is done to their bodies.
 void find_records(BulkBodies& bodies, BulkJointBlock& block) {
-  block.is_moving = false;
+  block.is_moving = block.is_driven = false;
   block.empty = {};
   for (std::size_t s = 0; s < block.records.size(); ++s) {
     const bool is_moved = s < block.lanes.systems.moved;
@@ -94,6 +94,7 @@ void find_records(BulkBodies& bodies, BulkJointBlock& block) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
         record = bodies.motion[at(body)].v;
         block.is_moving = block.is_moving || is_moved;
+        block.is_driven = block.is_driven || (!is_moved && bodies.has_velocity(body));
       }
       block.records[s][lane] = record;
     }
@@ -212,6 +213,10 @@ void read_limits(const Model& model, BulkJointBlock& block) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane)
       std::tie(law.lower[lane], law.upper[lane]) = limits_alone(model, link.joints[lane], law.axis);
   }
+}
+
+void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block) {
+  for_moved_bodies(bodies, block, [&](int body) { displace(h, bodies.motion[at(body)]); });
 }
 
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {

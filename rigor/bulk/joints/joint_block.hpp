@@ -3,6 +3,7 @@
 #include "rigor/bulk/joints/joint_laws.hpp"
 #include "rigor/bulk/joints/joint_stages.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/core/index.hpp"
 
 #include <array>
 #include <vector>
@@ -35,6 +36,7 @@ struct BulkJointBlock {
   std::vector<Velocities> before;  ///< At the beginning of a solve, of bodies that joints with laws move.
   unsigned free_lanes = 0;         ///< Of trees that ContactFreeChains takes in this step, one bit each.
   bool is_moving = true;           ///< Whether one of its bodies moves in this step: not all of them sleep.
+  bool is_driven = false;          ///< Whether one of its bodies moves as it must.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
@@ -66,5 +68,18 @@ void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJoin
 /// have changed since the call of the same name before.
 void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block);
 void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block);
+/// Displaces the bodies that the block moves.
+void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block);
+/// Calls visit(body) for each of these.
+template <class Visit>
+void for_moved_bodies(const BulkBodies& bodies, const BulkJointBlock& block, const Visit& visit) {
+  for (std::size_t s = 0; s < block.lanes.systems.moved; ++s) {
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      const int body = block.lanes.systems.bodies[s][lane];
+      // Lanes of systems that sleep, or are taken by ContactFreeChains, have records of their own.
+      if (body >= 0 && block.records[s][lane] == bodies.motion[at(body)].v) visit(body);
+    }
+  }
+}
 
 }  // namespace rigor

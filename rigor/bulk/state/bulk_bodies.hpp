@@ -79,6 +79,12 @@ inline void turn_further(float h, MotionRecord& motion) {
   store_row(r + (s + ((1.0F / 12) * cc - 0.5F * c)), motion.dr);
 }
 
+/// Moves a body on by its velocities for h [s], in a step whose displacements are added up in 32 bits.
+inline void displace(float h, MotionRecord& motion) {
+  for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
+  turn_further(h, motion);
+}
+
 /// The bodies of a Model as arrays, by model index: 64-bit positions, 32-bit velocities.
 struct BulkBodies {
   std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
