@@ -36,6 +36,7 @@ std::unique_ptr<BulkEngine> make_bulk_world_engine(std::shared_ptr<const Model> 
                                                    const BulkEngineOptions& options) {
   BulkSettings settings;
   settings.threads = options.threads;
+  settings.measures = options.measures;
   if (options.substeps > 0) settings.substeps = options.substeps;
   return std::make_unique<BulkWorldEngine>(std::move(model), settings);
 }

@@ -1,5 +1,7 @@
 #include "rigor/bulk/passing/body_boxes.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,27 +12,25 @@ void BodyBoxes::set_body(int body, const std::optional<Aabb>& box_B) {
   Box& box = boxes_[at(body)];
   box = {};
   if (!box_B || !box_B->lower.allFinite() || !box_B->upper.allFinite()) return;
-  box = {0.5 * (box_B->lower + box_B->upper), 0.5 * (box_B->upper - box_B->lower)};
+  // Larger by more than the rounding to 32 bits.
+  constexpr double rounding = 1e-6;
+  const Vec3 center = 0.5 * (box_B->lower + box_B->upper), half = 0.5 * (box_B->upper - box_B->lower);
+  box = {center.cast<float>(), (half + rounding * (half + center.cwiseAbs())).cast<float>()};
 }
 
-void BodyBoxes::place(const BulkBodies& bodies) {
-  placed_.resize(boxes_.size());
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const Mat3 R_WB = bodies.q[i].toRotationMatrix();
-    placed_[i] = {R_WB, R_WB * boxes_[i].center_B};
-  }
-}
-
-bool BodyBoxes::are_parted(int body_A, int body_B, const Vec3& between_W, const Way& A, const Way& B) const {
+bool BodyBoxes::are_parted(const BulkBodies& bodies, int body_A, int body_B, const Way& A,
+                           const Way& B) const {
   const Box &a = boxes_[at(body_A)], &b = boxes_[at(body_B)];
   if (!a.is_known() || !b.is_known()) return false;
-  const Placed &in_A = placed_[at(body_A)], &in_B = placed_[at(body_B)];
+  const Mat3 R_WA = bodies.q[at(body_A)].toRotationMatrix(), R_WB = bodies.q[at(body_B)].toRotationMatrix();
   // The boxes' centres at the beginning and, but for rotations, at the end.
-  const Vec3 first = between_W + in_B.center_W - in_A.center_W, last = first + B.dp_W - A.dp_W;
+  const Vec3 first = (bodies.x[at(body_B)] - bodies.x[at(body_A)]) + R_WB * b.center_B.cast<double>() -
+                     R_WA * a.center_B.cast<double>(),
+             last = first + B.dp_W - A.dp_W;
   const double turned = A.turned + B.turned;
   // Along the axes of a box: it reaches as far as it is long, the other one as its edges do.
-  const Mat3 edges = (in_A.R_WB.transpose() * in_B.R_WB).cwiseAbs();
-  const Vec3 reach_A = a.half + edges * b.half, reach_B = b.half + edges.transpose() * a.half;
+  const Mat3 edges = (R_WA.transpose() * R_WB).cwiseAbs();
+  const Vec3 half_A = a.half.cast<double>(), half_B = b.half.cast<double>();
   const auto is_beyond = [&](const Mat3& R, const Vec3& reach) {
     const Vec3 from = R.transpose() * first, to = R.transpose() * last;
     for (int k = 0; k < 3; ++k) {
@@ -39,15 +39,16 @@ bool BodyBoxes::are_parted(int body_A, int body_B, const Vec3& between_W, const 
     }
     return false;
   };
-  return is_beyond(in_A.R_WB, reach_A) || is_beyond(in_B.R_WB, reach_B);
+  return is_beyond(R_WA, half_A + edges * half_B) || is_beyond(R_WB, half_B + edges.transpose() * half_A);
 }
 
-std::optional<Aabb> BodyBoxes::swept(int body, const Way& way) const {
+std::optional<Aabb> BodyBoxes::swept(const BulkBodies& bodies, int body, const Way& way) const {
   const Box& box = boxes_[at(body)];
   if (!box.is_known()) return std::nullopt;
-  const Placed& placed = placed_[at(body)];
-  const Vec3 half = placed.R_WB.cwiseAbs() * box.half, end = placed.center_W + way.dp_W;
-  return Aabb{placed.center_W.cwiseMin(end) - half, placed.center_W.cwiseMax(end) + half}.grown(way.turned);
+  const Mat3 R_WB = bodies.q[at(body)].toRotationMatrix();
+  const Vec3 begin = R_WB * box.center_B.cast<double>(), end = begin + way.dp_W,
+             half = R_WB.cwiseAbs() * box.half.cast<double>();
+  return Aabb{begin.cwiseMin(end) - half, begin.cwiseMax(end) + half}.grown(way.turned);
 }
 
 }  // namespace rigor

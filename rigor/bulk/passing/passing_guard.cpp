@@ -77,8 +77,8 @@ void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
   if (surfaces_ > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface_);
   // The box about all of them.
   std::optional<Aabb> box_B;
-  for (std::size_t s = 0; s < own.shapes.size(); ++s) {
-    const Aabb& of_shape = facts_[at(ranges_.begin(body)) + s].box_B;
+  for (const BodyShape& shape : own.shapes) {
+    const Aabb of_shape = axis_aligned_box(shape.shape, shape.X_BS);
     box_B = box_B ? box_B->united(of_shape) : of_shape;
   }
   boxes_.set_body(body, box_B);
@@ -100,7 +100,6 @@ const PassingGuard::ShapeFacts& PassingGuard::facts_of(const Body& body, std::si
   // Equal facts of a shape are found once, since its thickness is the dear part.
   facts.thickness = thickness_of(shape.shape);
   facts.turning = turning_radius(shape.shape, shape.X_BS, shape.radius);
-  facts.box_B = axis_aligned_box(shape.shape, shape.X_BS);
   if (is_surface(shape.shape)) return facts;
   if (!hulls) hulls.emplace();
   // The ball inside is where the lanes hold the shape on its side of a surface; without a hull it is the

@@ -102,7 +102,6 @@ class PassingGuard {
     double ball_inside = -1;  ///< Radius of the ball inside that a surface cannot lose [m]; -1: a surface.
     double ball_offset = 0;   ///< Of that ball's centre from the body's [m].
     double turning = 0;       ///< How far from the body's centre rotation moves points [m].
-    Aabb box_B{Vec3::Zero(), Vec3::Zero()};  ///< About it, in the frame of the body.
     /// How deep a point may be inside where it is thick, as hulls are in their middle, however pointed [m].
     double depth() const { return std::max(thickness, ball_inside); }
   };

@@ -103,7 +103,7 @@ bool PassingGuard::may_meet(int a, int b, const BulkBodies& bodies) const {
   const double squared = path.squaredNorm();
   const double nearest = squared > 0 ? std::clamp(-from.dot(path) / squared, 0.0, 1.0) : 0;
   const double radii = model_->body(a).bounding_radius + model_->body(b).bounding_radius;
-  return (from + nearest * path).norm() <= radii && !boxes_.are_parted(a, b, from, of_a, of_b);
+  return (from + nearest * path).norm() <= radii && !boxes_.are_parted(bodies, a, b, of_a, of_b);
 }
 
 /// Finds how far points of each body have moved; returns the most of all [m].
@@ -189,7 +189,6 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, const ManifoldL
   constexpr double rounding = 1e-5;
   const double thinnest = (1 - rounding) * least_thickness_;
   if (2 * most <= least_share * thinnest) return;
-  boxes_.place(bodies);
 
   // A pair that overlaps already may go less far unseen, so that it does not get deeper from step to step;
   // but what is stopped for that does not get out of the way of what drives its island.
@@ -315,7 +314,8 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
     box = box.grown(model_->body(i).bounding_radius);
     // Long bodies are far thinner than the balls about them.
     const std::optional<Aabb> tight =
-        bends(i, bodies) ? std::nullopt : boxes_.swept(i, {y - x, turning_[at(i)] * norm_of(motion.dr)});
+        bends(i, bodies) ? std::nullopt
+                         : boxes_.swept(bodies, i, {y - x, turning_[at(i)] * norm_of(motion.dr)});
     if (tight) box = {box.lower.cwiseMax(x + tight->lower), box.upper.cwiseMin(x + tight->upper)};
     swept_.push_back(box);
   }
