@@ -13,6 +13,8 @@ namespace {
 
 /// A body stands on another if the normal between them is no farther from the vertical than 60 degrees.
 constexpr float least_upright = 0.5F;
+/// Fewer points are no face.
+constexpr int least_points = 3;
 /// Points span a face if the determinant of their moments is at least this part of the cube of the trace:
 /// that of a face of the breadth b and the length l is about (b/l)²/8.
 constexpr float least_spread = 1e-4F;
@@ -114,6 +116,11 @@ void ElasticTilts::find(const StepManifolds& manifolds, double h, const Executor
                         BulkBodies& bodies) {
   bodies.tilts.clear();
   if (slow_.empty()) return;
+  // Balls lean on nothing, however many they are.
+  bool may_support = false;
+  for (std::size_t i = 0; i < manifolds.size() && !may_support; ++i)
+    may_support = manifolds.point_count(i) >= least_points;
+  if (!may_support) return;
   renew(manifolds.size(), supports_);
   const float ahead = steps_ahead * static_cast<float>(h);
   executor.for_ranges(static_cast<int>(manifolds.size()), 256, [&](int begin, int end) {
@@ -133,7 +140,7 @@ void ElasticTilts::find(const StepManifolds& manifolds, double h, const Executor
 ElasticTilts::Support ElasticTilts::support_of(const StepManifolds& manifolds, std::size_t i, float ahead,
                                                const BulkBodies& bodies) const {
   Support support;
-  if (manifolds.point_count(i) < 3) return support;
+  if (manifolds.point_count(i) < least_points) return support;
   const ManifoldView manifold = manifolds.view(i);
   const float upright = dot3(manifold.normal, up_.data());
   if (!(std::abs(upright) > least_upright)) return support;

@@ -306,6 +306,7 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   is_swept_ = true;
   constexpr int refits = 64;
   swept_.clear();
+  swept_.reserve(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& motion = bodies.motion[at(i)];
     const Vec3 &x = bodies.x[at(i)], y = x + vector_of(motion.dp);
