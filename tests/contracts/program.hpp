@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,20 +75,19 @@ class ProgramFolder {
   ProgramResult run_on_terminal(const std::vector<std::string>& arguments, bool no_color) const {
     winsize size{};
     size.ws_row = 25, size.ws_col = 100;
-    int terminal = -1;
-    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &size);
+    int terminal = -1, program_side = -1;
+    if (::openpty(&terminal, &program_side, nullptr, nullptr, &size) < 0) return {-1, "", "no terminal"};
+    const pid_t child = ::fork();
     if (child == 0) {
+      ::close(terminal);
+      for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(program_side, stream);
+      ::close(program_side);
       ::setenv("TERM", "xterm", 1);
       no_color ? ::setenv("NO_COLOR", "1", 1) : ::unsetenv("NO_COLOR");
       execute(arguments);
     }
-    std::string out;
-    char bytes[4096];
-    // A terminal whose other end is closed gives an error instead of an end.
-    for (ssize_t count = 0;
-         (count = ::read(terminal, bytes, sizeof bytes)) > 0 || (count < 0 && errno == EINTR);) {
-      if (count > 0) out.append(bytes, static_cast<std::size_t>(count));
-    }
+    std::string out = read_terminal(terminal, program_side, child);
+    ::close(program_side);
     ::close(terminal);
     return {exit_code(child), out, ""};
   }
@@ -102,6 +102,33 @@ class ProgramFolder {
     pointers.push_back(nullptr);
     ::execv(RIGOR_PROGRAM, pointers.data());
     ::_exit(98);
+  }
+
+  /// All that the child writes on the terminal. A terminal whose other end is closed may lose what was not
+  /// yet read, so this process keeps that end open, and a mark of its own comes after the last that the child
+  /// wrote.
+  static std::string read_terminal(int terminal, int program_side, pid_t child) {
+    constexpr char end_mark = '\x03';
+    std::string out;
+    bool ended = false;
+    while (out.empty() || out.back() != end_mark) {
+      pollfd readable{terminal, POLLIN, 0};
+      if (::poll(&readable, 1, ended ? 1000 : 5) > 0) {
+        char bytes[4096];
+        const ssize_t count = ::read(terminal, bytes, sizeof bytes);
+        if (count > 0) out.append(bytes, static_cast<std::size_t>(count));
+        if (count < 0 && errno != EINTR) return out;
+      } else if (ended) {
+        return out;
+      } else if (siginfo_t state{};
+                 ::waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                 state.si_pid == child) {
+        ended = true;
+        if (::write(program_side, &end_mark, 1) != 1) return out;
+      }
+    }
+    out.pop_back();
+    return out;
   }
 
   void redirect(const std::string& name, int descriptor) const {
