@@ -67,6 +67,10 @@ ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_
     part.A = DelassusOperator(part.rows);
     return part;
   }
+  // Of many contacts rows say at least what the matrix does.
+  if (problem.jointed_rows && chosen.size() >= too_many_for_matrix)
+    part.jointed_rows = std::make_shared<const ContactRows>(rows_of(*problem.jointed_rows, chosen));
+
   // A dense problem is cut out of the dense operator, block by block.
   MatX A(size, size);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -78,6 +82,14 @@ ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_
 }
 
 ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts) {
+  // Joints are factored on all of their nodes.
+  if (rows.joints) {
+    ContactRows result = rows;
+    result.contacts.clear();
+    for (const std::size_t i : contacts) result.contacts.push_back(rows.contacts[i]);
+    return result;
+  }
+
   // The nodes that take part, in their order.
   std::vector<int> nodes(rows.node_count(), -1);
   for (const std::size_t i : contacts) {

@@ -57,7 +57,7 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
 /// the problem has rows and the contacts chosen are many.
 ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_t>& chosen, const VecX& u);
 
-/// The rows of these contacts, without joints, on the nodes that they have.
+/// The rows of these contacts: on the nodes that they have, or where joints hold some on all nodes.
 ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts);
 
 /// First of the three rows of a contact.

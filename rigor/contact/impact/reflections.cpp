@@ -2,13 +2,10 @@
 
 #include "rigor/contact/impact/local_plastic_impact.hpp"
 #include "rigor/contact/impact/normal_reflections.hpp"
-#include "rigor/solver/motion/motion_problem.hpp"
+#include "rigor/solver/coulomb/bounded_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <optional>
-#include <utility>
 
 namespace rigor {
 
@@ -78,85 +75,6 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
   return lambda + largest_share(problem, lambda, more, limit) * more;
 }
 
-/// The rows of these contacts with the normal ones cut off: instead of bodies they move loads, so that their
-/// diagonal entries are these responses.
-std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
-                                                    const std::vector<std::size_t>& contacts,
-                                                    const std::vector<double>& responses) {
-  ContactRows result = rows_of(rows, contacts);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    // A node of loads has six velocities, one for each of six contacts.
-    const Eigen::Index velocity = static_cast<Eigen::Index>(i % 6);
-    if (velocity == 0) {
-      result.masses.push_back(Mat6::Identity());
-      result.inverse_masses.push_back(Mat6::Identity());
-    }
-    const double a = responses[i];
-    result.masses.back()(velocity, velocity) = 1 / a;
-    result.inverse_masses.back()(velocity, velocity) = a;
-    ContactRows::Sides& sides = result.contacts[i];
-    for (ContactRows::Side& side : sides) side.J.row(2).setZero();
-    sides[2].node = static_cast<int>(result.masses.size()) - 1;
-    sides[2].J.setZero();
-    sides[2].J(2, velocity) = 1;
-  }
-  return std::make_shared<const ContactRows>(std::move(result));
-}
-
-/// The contacts pressed, with velocities u (3n of all), their normal rows cut off.
-ImpactProblem friction_on_rows(const ImpactProblem& problem, const std::vector<std::size_t>& pressed,
-                               const VecX& u, const std::vector<double>& responses) {
-  ImpactProblem part{{}, {}, VecX(row_of(pressed.size()))};
-  for (std::size_t i = 0; i < pressed.size(); ++i) {
-    part.contacts.push_back(problem.contacts[pressed[i]]);
-    part.u.segment<3>(row_of(i)) = u.segment<3>(row_of(pressed[i]));
-  }
-  part.rows = rows_of_friction(*problem.rows, pressed, responses);
-  part.A = DelassusOperator(part.rows);
-  return part;
-}
-
-/// The same by the matrix.
-ImpactProblem friction_on_matrix(const ImpactProblem& problem, const std::vector<std::size_t>& pressed,
-                                 const VecX& u, const std::vector<double>& responses) {
-  ImpactProblem part = part_of(problem, pressed, u);
-  MatX A = part.A.dense();
-  for (std::size_t i = 0; i < part.count(); ++i) {
-    const Eigen::Index normal = row_of(i) + 2;
-    A.row(normal).setZero();
-    A.col(normal).setZero();
-    A(normal, normal) = responses[i];
-  }
-  part.A = DelassusOperator(std::move(A));
-  return part;
-}
-
-/// Coulomb's law on the part, with any share of the load. The energy misses its least by the square of what
-/// the impulses miss.
-CoulombSolution solve_friction(const ImpactProblem& part) {
-  CoulombOptions any_share;
-  any_share.least_norm = false;
-  any_share.enough = any_share.tolerance = 1e-10;
-  any_share.resolution = 0;
-  CoulombProblem laws{{},
-                      part.u,
-                      frictions(part),
-                      std::vector<FrictionRow>(part.count(), FrictionRow::cone),
-                      std::vector<Vec2>(part.count(), Vec2::Zero())};
-  if (part.rows) {
-    // Small disks of many contacts make the last digits slow. The problem is convex and its motion unique: a
-    // bold search finds the same, in a third of the steps.
-    constexpr double enough_of_many = 1e-7;
-    CoulombOptions of_many = any_share;
-    of_many.enough = of_many.tolerance = enough_of_many;
-    of_many.is_bold = true;
-    if (std::optional<CoulombSolution> found = solve_in_motion_space({*part.rows, laws}, {}, of_many))
-      return std::move(*found);
-  }
-  laws.A = part.A.dense();
-  return solve_coulomb(laws, any_share);
-}
-
 }  // namespace
 
 VecX generalised_reflections(const ImpactProblem& problem) {
@@ -165,32 +83,32 @@ VecX generalised_reflections(const ImpactProblem& problem) {
 
 double add_friction(const ImpactProblem& problem, VecX& lambda) {
   std::vector<std::size_t> pressed;
+  std::vector<double> bounds;
   for (std::size_t i = 0; i < problem.count(); ++i) {
     lambda.segment<2>(row_of(i)).setZero();
-    if (problem.contacts[i].mu * lambda[row_of(i) + 2] > 0) pressed.push_back(i);
+    const double bound = problem.contacts[i].mu * lambda[row_of(i) + 2];
+    if (!(bound > 0)) continue;
+    pressed.push_back(i);
+    bounds.push_back(bound);
   }
   if (pressed.empty()) return 0;
 
-  // A Coulomb problem whose normal impulses are known: the normal rows are cut off from the tangential ones
-  // and say a (λ_n - known) = 0. The motion is the same for every share of redundant contacts.
+  // The velocities of the pressed contacts without friction, and how these answer.
   const VecX u = problem.u + problem.A * lambda;
-  std::vector<double> responses;
-  responses.reserve(pressed.size());
-  for (const std::size_t i : pressed)
-    responses.push_back(0.5 * problem.A.block(i, i).topLeftCorner<2, 2>().trace());
-  ImpactProblem part = problem.rows ? friction_on_rows(problem, pressed, u, responses)
-                                    : friction_on_matrix(problem, pressed, u, responses);
-  for (std::size_t i = 0; i < part.count(); ++i)
-    part.u[row_of(i) + 2] = -responses[i] * lambda[row_of(pressed[i]) + 2];
-  const CoulombSolution found = solve_friction(part);
-
-  // The friction found, brought inside the disks of the true normal impulses.
-  for (std::size_t i = 0; i < pressed.size(); ++i) {
-    Vec2 friction = found.lambda.segment<2>(row_of(i));
-    const double bound = part.contacts[i].mu * lambda[row_of(pressed[i]) + 2];
-    if (friction.norm() > bound) friction *= bound / friction.norm();
-    lambda.segment<2>(row_of(pressed[i])) = friction;
+  VecX u_pressed(row_of(pressed.size()));
+  for (std::size_t i = 0; i < pressed.size(); ++i)
+    u_pressed.segment<3>(row_of(i)) = u.segment<3>(row_of(pressed[i]));
+  BoundedFriction found;
+  if (const auto& all_rows = problem.rows ? problem.rows : problem.jointed_rows) {
+    const ContactRows rows = rows_of(*all_rows, pressed);
+    found = solve_bounded_friction(SparseMotion(rows), u_pressed, bounds);
+  } else {
+    const MatX A = part_of(problem, pressed, u).A.dense();
+    found = solve_bounded_friction(FactoredMotion(A), u_pressed, bounds);
   }
+
+  for (std::size_t i = 0; i < pressed.size(); ++i)
+    lambda.segment<2>(row_of(pressed[i])) = found.lambda.segment<2>(row_of(i));
   return found.residual;
 }
 
