@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 
@@ -166,15 +167,19 @@ class Chain {
     return best_.converged;
   }
 
-  // Polishes when the modes have changed, and at every eighth step.
+  // Polishes the first guesses, which solve most problems, then those whose modes have settled, and every
+  // eighth step: polishing a wrong guess costs more than many steps.
   bool proximal_until(int last) {
-    std::vector<ContactMode> offered;
+    constexpr int kFirst = 2, kAlways = 8;
+    std::vector<ContactMode> before, offered;
     while (proximal_steps_ < last) {
       poll_interrupt();
       proximal_.step();
       ++proximal_steps_;
       const CoulombGuess& guess = proximal_.guess();
-      if (guess.modes.modes == offered && proximal_steps_ % 8 != 0) continue;
+      const bool has_settled = guess.modes.modes == std::exchange(before, guess.modes.modes);
+      const bool is_due = proximal_steps_ <= kFirst || (has_settled && guess.modes.modes != offered);
+      if (!is_due && proximal_steps_ % kAlways != 0) continue;
       offered = guess.modes.modes;
       if (offer(guess, proximal_steps_, "proximal")) return true;
     }
