@@ -1,4 +1,5 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
+#include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/drag_flow.hpp"
@@ -7,18 +8,20 @@
 #include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/islands/island_integrator.hpp"
 #include "rigor/sim/report/ledger.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace rigor {
 
 namespace {
 
-/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; bounded forces act all through h.
-CoulombProblem implicit_problem(const ContactSystem& system, double h) {
+/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; bounded forces act all through h. Without A.
+CoulombProblem implicit_laws(const ContactSystem& system, double h) {
   const std::size_t count = system.contacts.size();
-  CoulombProblem problem{delassus(system),
+  CoulombProblem problem{{},
                          relative_velocities(system),
                          {},
                          std::vector<FrictionRow>(count, FrictionRow::cone),
@@ -82,6 +85,21 @@ CoulombOptions first_order_options() {
   coarse.least_norm = false;
   coarse.resolution = 0;  // Proximal points come first: contacts of a loop of bodies jam other methods.
   return coarse;
+}
+
+/// The impulses of the contacts over the step: on sparse rows, and by A where contacts are few or the rows
+/// leave them unsolved.
+VecX implicit_impulses(const ContactSystem& system, double h) {
+  constexpr std::size_t few = 4;
+  CoulombProblem laws = implicit_laws(system, h);
+  const CoulombOptions options = first_order_options();
+  if (system.contacts.size() > few) {
+    const std::optional<CoulombSolution> found =
+        solve_in_motion_space({motion_rows(system), laws}, {}, options);
+    if (found && found->converged) return found->lambda;
+  }
+  laws.A = delassus(system);
+  return solve_coulomb(laws, options).lambda;
 }
 
 /// Of a body over a step, without joints and contacts.
@@ -184,7 +202,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   VecX& joint_lambda = of_joints.lambda;
 
   // One Coulomb problem for the impulses of the whole step.
-  const VecX lambda = solve_coulomb(implicit_problem(system, h), first_order_options()).lambda;
+  const VecX lambda = implicit_impulses(system, h);
 
   // What the contacts do, and what the joints do about it.
   std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
