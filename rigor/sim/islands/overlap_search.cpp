@@ -107,9 +107,9 @@ Pose OverlapSearch::pose_at(const Island& island, const IslandStep& step, int bo
 }
 
 std::vector<Contact> OverlapSearch::contacts_at(const Island& island, const IslandStep& step,
-                                                double theta) const {
+                                                std::span<const Pair> pairs, double theta) const {
   std::vector<Contact> contacts;
-  for (const auto& [a, b] : pairs_of(island)) {
+  for (const auto& [a, b] : pairs) {
     const std::vector<Contact> found = find_contacts(model_, a, b, pose_at(island, step, a, theta),
                                                      pose_at(island, step, b, theta), contact_tolerance_);
     contacts.insert(contacts.end(), found.begin(), found.end());
@@ -152,23 +152,32 @@ double lowest_of_tangents(double first, double first_rate, double last, double l
 /// Looks at the pairs of an island at places of its step.
 class OverlapSearch::Looks {
  public:
-  Looks(const OverlapSearch& search, const Island& island, const IslandStep& step)
-      : search_(search), island_(island), step_(step), at_start_(search.contacts_at(island, step, 0)) {}
+  Looks(const OverlapSearch& search, const Island& island, const IslandStep& step, std::vector<Pair> pairs)
+      : search_(search),
+        island_(island),
+        step_(step),
+        pairs_(std::move(pairs)),
+        at_start_(search.contacts_at(island, step, pairs_, 0)) {}
 
-  double margin(double theta) const { return gaps_at(theta).margin; }
+  /// The least clearance of these pairs.
+  double margin(double theta, std::span<const Pair> pairs) const { return gaps_at(theta, pairs).margin; }
   Sample sample(double theta) const;
+  /// The pairs that are lower than `level` at a place.
+  std::vector<Pair> pairs_below(double level, double theta) const;
 
  private:
-  Sample gaps_at(double theta) const;
+  Sample gaps_at(double theta, std::span<const Pair> pairs) const;
 
   const OverlapSearch& search_;
   const Island& island_;
   const IslandStep& step_;
+  std::vector<Pair> pairs_;
   std::vector<Contact> at_start_;
 };
 
-OverlapSearch::Sample OverlapSearch::Looks::gaps_at(double theta) const {
-  Sample sample{theta, search_.contacts_at(island_, step_, theta), {}, {}};
+OverlapSearch::Sample OverlapSearch::Looks::gaps_at(double theta, std::span<const Pair> pairs) const {
+  const bool is_known = theta == 0 && pairs.size() == pairs_.size();
+  Sample sample{theta, is_known ? at_start_ : search_.contacts_at(island_, step_, pairs, theta), {}, {}};
   for (const Contact& contact : sample.contacts) {
     sample.clearance.push_back(contact.point.gap - search_.lowest_gap(contact, island_, at_start_));
     sample.margin = std::min(sample.margin, sample.clearance.back());
@@ -177,7 +186,7 @@ OverlapSearch::Sample OverlapSearch::Looks::gaps_at(double theta) const {
 }
 
 OverlapSearch::Sample OverlapSearch::Looks::sample(double theta) const {
-  Sample sample = gaps_at(theta);
+  Sample sample = gaps_at(theta, pairs_);
   // The rate of a distance is that of the material points that are closest now, by differences of the poses.
   constexpr double difference = 1e-6;
   const double other = theta + difference <= 1 ? theta + difference : theta - difference;
@@ -191,6 +200,16 @@ OverlapSearch::Sample OverlapSearch::Looks::sample(double theta) const {
         point.n_W.dot(velocity(contact.body_B, point.p_WB) - velocity(contact.body_A, point.p_WA)));
   }
   return sample;
+}
+
+std::vector<OverlapSearch::Pair> OverlapSearch::Looks::pairs_below(double level, double theta) const {
+  const Sample sample = gaps_at(theta, pairs_);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < sample.contacts.size(); ++i) {
+    if (!(sample.clearance[i] >= level))
+      pairs.emplace_back(sample.contacts[i].body_A, sample.contacts[i].body_B);
+  }
+  return sorted_unique(std::move(pairs));
 }
 
 /// The least clearance that any contact may have between two places, if gaps are convex there. A contact that
@@ -232,7 +251,7 @@ std::optional<std::pair<double, double>> OverlapSearch::first_fall(const Looks& 
 std::optional<double> OverlapSearch::find(const Island& island, const IslandStep& step, double end) const {
   const std::vector<Pair> pairs = pairs_of(island);
   if (pairs.empty()) return std::nullopt;
-  const Looks looks(*this, island, step);
+  const Looks looks(*this, island, step, pairs);
 
   // Instant by instant, at least the middle and the end.
   Instants instants(model_, island, step, contact_tolerance_, thickness_);
@@ -243,7 +262,9 @@ std::optional<double> OverlapSearch::find(const Island& island, const IslandStep
     // that are no numbers.
     const double level = from.margin < 0 ? from.margin - 0.01 * contact_tolerance_ : 0;
     if (const auto fall = first_fall(looks, from, probe, level, most_halvings)) {
-      const auto above_level = [&](double part) { return looks.margin(part) - level; };
+      // The instant is that of the pairs that have fallen.
+      const std::vector<Pair> fallen = looks.pairs_below(level, fall->second);
+      const auto above_level = [&](double part) { return looks.margin(part, fallen) - level; };
       return find_root_bisection(above_level, fall->first, fall->second, time_tolerance_ / step.h).hi;
     }
     from = std::move(probe);

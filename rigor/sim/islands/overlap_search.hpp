@@ -30,7 +30,8 @@ class OverlapSearch {
 
   std::vector<Pair> pairs_of(const Island& island) const;
   Pose pose_at(const Island& island, const IslandStep& step, int body, double theta) const;
-  std::vector<Contact> contacts_at(const Island& island, const IslandStep& step, double theta) const;
+  std::vector<Contact> contacts_at(const Island& island, const IslandStep& step, std::span<const Pair> pairs,
+                                   double theta) const;
   double lowest_gap(const Contact& contact, const Island& island, std::span<const Contact> at_start) const;
 
   static double lowest_between(const Sample& from, const Sample& to);
