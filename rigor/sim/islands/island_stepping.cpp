@@ -19,6 +19,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// direction fast is worth many steps, but a step that time can hardly resolve weighs fifty times as much.
 constexpr int patience = 300;
 constexpr int weight_of_tiny_step = 50;
+/// The least weight of one that ends where further points land: in a row such steps are points that strike in
+/// turn, each parting another one as fast.
+constexpr int weight_of_landing = 8;
 
 /// Of a step relative to the one that was wanted.
 int weight_of_step(double relative) {
@@ -198,7 +201,9 @@ void IslandStepping::note_pace(const Island& island, double longest, const Islan
 
 void IslandStepping::note_end(const RunningIsland& running, double elapsed) {
   if (running.wanted == 0) return;
-  const int weight = weight_of_step(elapsed / running.wanted);
+  int weight = weight_of_step(elapsed / running.wanted);
+  if (weight > 0 && running.change && running.change->kind == ModeChange::Kind::overlap)
+    weight = std::max(weight, weight_of_landing);
   const int crowding = weight > 0 ? crowding_of(running.island.bodies) + weight : 0;
   for (const int body : running.island.bodies) {
     crowding_[at(body)] = crowding > patience ? patience + implicit_steps : crowding;
