@@ -158,9 +158,8 @@ void BulkContacts::bounce_apart(const Model& model, HeldBodies& held, BulkBodies
         const std::size_t i = at(lane);
         if (!(found.most[i] > 0)) continue;
         const std::size_t manifold = at(manifold_of(number, lane));
-        const std::array<float, Manifold::max_points> impulses =
-            bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies);
-        for (std::size_t k = 0; k < total.points; ++k) total.normal(k)[i] += impulses[k];
+        add_impulses(bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies), lane,
+                     total);
       }
     });
   });

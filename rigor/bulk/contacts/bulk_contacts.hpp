@@ -119,7 +119,7 @@ class BulkContacts {
   SolvedManifold read(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane,
                       std::size_t manifold) const {
     SolvedManifold own = read_manifold(block, total, lane);
-    own.restitution = manifolds_.surface(manifold).restitution;
+    set_surface(manifolds_.surface(manifold), own);
     return own;
   }
 
