@@ -21,6 +21,16 @@ struct ManifoldImpulses {
   std::array<float, 2> tangent{};
   float twist = 0;
   std::array<float, 2> roll{};
+
+  ManifoldImpulses& operator+=(const ManifoldImpulses& other) {
+    for (std::size_t k = 0; k < normal.size(); ++k) normal[k] += other.normal[k];
+    for (std::size_t k = 0; k < 2; ++k) {
+      tangent[k] += other.tangent[k];
+      roll[k] += other.roll[k];
+    }
+    twist += other.twist;
+    return *this;
+  }
 };
 
 /// One manifold of a block, as measures and bounces read it.

@@ -227,6 +227,24 @@ TEST(BulkBounce, FrictionOfAnImpactIsThatOfAllItsImpulse) {
   }
 }
 
+TEST(BulkBounce, BoxesThatLandFlatSlideOnWithoutATurn) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec3 half = Vec3(0.05, 0.05, 0.05) + 0.3 * Vec3(part(random), part(random), 0.3 * part(random));
+    const double e = 0.2 + 0.8 * part(random), friction = 0.4 * part(random), u_n = 0.5 + 2 * part(random),
+                 h = 1e-3, angle = 6.28 * part(random);
+    BodyDescription box =
+        bounce_body("box", Box{half}, Vec3(0, 0, half.z() + (0.5 + 4 * part(random)) * u_n * h));
+    const Vec3 along(std::cos(angle), std::sin(angle), 0);
+    box.velocity = 10 * along - Vec3(0, 0, u_n);
+    const AfterStrike after = strike_plane(box, friction, e, h);
+    EXPECT_NEAR(after.v.dot(along), 10 - friction * (1 + e) * u_n, 2e-3 * (1 + e) * u_n) << trial;
+    EXPECT_NEAR(after.v.z(), e * u_n, 2e-3 * u_n) << trial;
+    EXPECT_LT(after.w.norm() * half.norm(), 1e-2 * u_n) << trial;
+  }
+}
+
 /// A cube of 1 kg, turned and turning, that was stopped on a fixed floor: what bounce() is given.
 struct StoppedCube {
   std::shared_ptr<const Model> model;
