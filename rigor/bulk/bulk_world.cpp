@@ -296,6 +296,8 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
   if (s.held.are_any()) load_joints_of_held();
   if (s.contacts.has_restitution()) bounce_apart();
+  if (settles_impacts())
+    s.impacts.settle({substep, s.forces.accelerations(), s.held, s.executor}, *s.joints, s.contacts, bodies_);
   s.direct.finish(bodies_);
   stop_passing(h);
   if (may_be_deep && s.passing.ends_deeper(s.pairs, s.manifolds, bodies_)) {
@@ -375,37 +377,6 @@ void BulkWorld::take_substep(bool is_first, float h) {
   // After positions have moved, a sweep of velocities alone, so that springs add no speed.
   s.joints->solve_rates_of_driven(s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
-}
-
-/// Gives what contacts do to held bodies in a substep, on average, to the joints of these.
-void BulkWorld::load_joints_of_held() {
-  Scratch& s = *scratch_;
-  const auto is_wanted = [&](int a, int b, bool) { return s.held.contains(a) || s.held.contains(b); };
-  s.contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
-    const ManifoldWrench on_B = total_wrench(manifold);
-    for (const bool is_B : {false, true}) {
-      const int body = is_B ? manifold.body_B : manifold.body_A;
-      if (!s.held.contains(body)) continue;
-      const double part = (is_B ? 1.0 : -1.0) / settings_.substeps;
-      const Vec3 arm = is_B ? manifold.frame.rB : manifold.frame.rA;
-      // Velocities that a free body would get: m dv = F and I dw = T + r x F, with I in W.
-      const Mat3 R_WB = rotation_matrix(bodies_.q[at(body)]);
-      const Vec3 moment = R_WB.transpose() * (on_B.moment + arm.cross(on_B.impulse));
-      s.held.strike(body, part / model_->body(body).mass * on_B.impulse,
-                    part * (R_WB * moment.cwiseQuotient(model_->body(body).moments)));
-    }
-  });
-  if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
-}
-
-/// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
-void BulkWorld::bounce_apart() {
-  Scratch& s = *scratch_;
-  if (!s.contacts.find_bounces(bodies_, s.executor)) return;
-  s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
-  s.contacts.bounce_apart(*model_, s.held, bodies_, s.executor);
-  // What struck held bodies goes to their joints.
-  if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
 }
 
 void BulkWorld::find_direct_islands(double substep) {

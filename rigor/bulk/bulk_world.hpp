@@ -127,6 +127,7 @@ class BulkWorld {
   int solve_directly(double h);
   void load_joints_of_held();
   void bounce_apart();
+  bool settles_impacts() const;
   void find_touching_bodies();
   void find_bodies_outside_chains(double h);
   void integrate_velocities(bool is_first, float h);

@@ -93,6 +93,7 @@ void BulkWorld::settle_changes() {
   if (changed.are_ties_new) s.joints.emplace(*model_);
   s.held.unmark(bodies_);
   s.held = HeldBodies(*model_);
+  s.impacts.find_jointed();
   // Who may meet whom.
   for (const int body : changes_.filters) s.passing.set_filter(body);
   if (changed.are_ties_new) s.pair_finder.set_excluded(*model_);

@@ -12,6 +12,7 @@
 #include "rigor/bulk/narrow_phase/hidden_sides.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/passing_guard.hpp"
+#include "rigor/bulk/settled_impacts.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
 #include "rigor/bulk/state/held_bodies.hpp"
 #include "rigor/bulk/state/prescribed_bodies.hpp"
@@ -35,6 +36,7 @@ struct BulkWorld::Scratch {
         direct(model),
         joints(std::in_place, model),
         held(model),
+        impacts(model),
         gyroscopic_terms(model),
         prescribed(model),
         bounce_limits(model),
@@ -52,6 +54,7 @@ struct BulkWorld::Scratch {
   DirectIslands direct;
   std::optional<BulkJoints> joints;  ///< Always there: made anew when joints come and go.
   HeldBodies held;
+  SettledImpacts impacts;
   GyroscopicTerms gyroscopic_terms;
   PrescribedBodies prescribed;
   BounceLimits bounce_limits;

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace rigor {
@@ -19,6 +20,20 @@ constexpr double contact_damping = 5;
 }  // namespace
 
 namespace {
+
+/// Lessens all impulses of a memory in one part, to a normal impulse of `most` [N s].
+void lessen_impulses(float most, const ManifoldMemories::Slot& slot) {
+  float pressed = 0;
+  for (int k = 0; k < slot.point_count; ++k) pressed += slot.normal_impulse[k];
+  if (!(pressed > most)) return;
+  const float part = most / pressed;
+  for (int k = 0; k < slot.point_count; ++k) slot.normal_impulse[k] *= part;
+  for (int k = 0; k < 3; ++k) {
+    slot.friction_impulse_W[k] *= part;
+    if (slot.rolling_impulse_W != nullptr) slot.rolling_impulse_W[k] *= part;
+  }
+  if (slot.twist_impulse != nullptr) *slot.twist_impulse *= part;
+}
 
 bool has_equal_moments(const Body& body) {
   return (body.moments.array() == body.moments[0]).all();
@@ -38,6 +53,7 @@ void BulkContacts::set_body(const Model& model, int body) {
 void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                          const ManifoldMemories& memory, const Executor& executor) {
   blocks_.clear_totals();
+  kept_.clear();
   manifolds_.match(pairs, manifolds, memory, executor);
 }
 
@@ -158,11 +174,20 @@ void BulkContacts::bounce_apart(const Model& model, HeldBodies& held, BulkBodies
         const std::size_t i = at(lane);
         if (!(found.most[i] > 0)) continue;
         const std::size_t manifold = at(manifold_of(number, lane));
-        const std::array<float, Manifold::max_points> impulses =
-            bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies);
-        for (std::size_t k = 0; k < total.points; ++k) total.normal(k)[i] += impulses[k];
+        add_impulses(bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies), lane,
+                     total);
       }
     });
+  });
+}
+
+void BulkContacts::add(std::size_t manifold, const ManifoldImpulses& impulses, double kept) {
+  kept_.resize(manifolds_.size(), std::numeric_limits<float>::infinity());
+  kept_[manifold] = static_cast<float>(kept);
+  blocks_.for_totals(0, blocks_.count(), [&](const auto&, auto& total, int number) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      if (manifold_of(number, lane) == static_cast<int>(manifold)) add_impulses(impulses, lane, total);
+    }
   });
 }
 
@@ -202,6 +227,7 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
         for (int k = 0; k < found.point_count; ++k)
           slot.feature[k] = std::bit_cast<float>(found.points[k].feature);
         read_lane(block, lane, slot);
+        if (!kept_.empty()) lessen_impulses(kept_[i], slot);
       });
     });
     if (!has_energy) return;

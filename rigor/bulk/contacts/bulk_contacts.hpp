@@ -65,6 +65,9 @@ class BulkContacts {
       }
     });
   }
+  /// Adds impulses to the sums of a manifold. It remembers no more of the last substep than the part of it
+  /// that has a normal impulse of `kept` [N s].
+  void add(std::size_t manifold, const ManifoldImpulses& impulses, double kept);
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
@@ -119,7 +122,7 @@ class BulkContacts {
   SolvedManifold read(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane,
                       std::size_t manifold) const {
     SolvedManifold own = read_manifold(block, total, lane);
-    own.restitution = manifolds_.surface(manifold).restitution;
+    set_surface(manifolds_.surface(manifold), own);
     return own;
   }
 
@@ -129,6 +132,7 @@ class BulkContacts {
   CachedColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
   BlockLists blocks_;
   std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
+  std::vector<float> kept_;            ///< By manifold: add(); empty if all are remembered.
   bool has_restitution_ = false;
   bool is_all_swept_ = true;  ///< No manifold was left to the direct solver.
 };

@@ -102,13 +102,29 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
   return wrench;
 }
 
-/// Keeps (x, y) within a disc.
-RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, FloatLanes& y) {
-  const FloatLanes one = splat(1);
-  const FloatLanes length = root(fused(x, x, y * y));
-  const FloatLanes scale = length > radius ? radius / length : one;
-  x = x * scale;
-  y = y * scale;
+/// Inverse of the response of two components of a velocity to impulses along them: 11 22 12.
+struct PlaneMass {
+  FloatLanes m11, m22, m12;
+};
+/// The impulse (f1, f2) of friction on a disc. It stops the velocity (u1, u2) if it can. If not, it lies on the
+/// rim, opposed to the velocity: a step along it from the old impulse, such as would stop it where least
+/// impulse is needed, and from there to the rim. (What stops the velocity, shortened to the disc, is askew to
+/// it: a plank that slid at 45 degrees curved by nine.)
+RIGOR_FLOAT_LANES void solve_disc(const PlaneMass& mass, const FloatLanes& radius, const FloatLanes& u1,
+                                  const FloatLanes& u2, FloatLanes& f1, FloatLanes& f2) {
+  const FloatLanes zero = splat(0), half = splat(0.5F);
+  const FloatLanes stop1 = fused(-mass.m12, u2, fused(-mass.m11, u1, f1));
+  const FloatLanes stop2 = fused(-mass.m22, u2, fused(-mass.m12, u1, f2));
+  const IntLanes slides = fused(stop1, stop1, stop2 * stop2) > radius * radius;
+
+  // The smaller eigenvalue of the mass.
+  const FloatLanes mean = half * (mass.m11 + mass.m22), apart = half * (mass.m11 - mass.m22);
+  const FloatLanes least = mean - root(fused(apart, apart, mass.m12 * mass.m12));
+  const FloatLanes slide1 = fused(-least, u1, f1), slide2 = fused(-least, u2, f2);
+  const FloatLanes length = root(fused(slide1, slide1, slide2 * slide2));
+  const FloatLanes scale = length > zero ? radius / length : zero;
+  f1 = slides ? scale * slide1 : stop1;
+  f2 = slides ? scale * slide2 : stop2;
 }
 
 /// The part of the speed of slip and twist that a sweep takes away. In the sweep without springs a patch does
@@ -128,13 +144,11 @@ struct SlipImpulse {
 template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES SlipImpulse solve_slip(const FloatLanes& pressed, const FloatVec3& u, Block& block) {
   const FloatLanes old1 = lane(block.impulses.tangent(0)), old2 = lane(block.impulses.tangent(1));
-  const FloatLanes m11 = lane(block.tangent_mass[0]), m22 = lane(block.tangent_mass[1]),
-                   m12 = lane(block.tangent_mass[2]);
-  // The impulse that stops the slip, shortened to the radius of the disc.
-  const FloatLanes share = splat(friction_share<pass, Block>()), u1 = share * u.y, u2 = share * u.z;
-  FloatLanes f1 = fused(-m12, u2, fused(-m11, u1, old1));
-  FloatLanes f2 = fused(-m22, u2, fused(-m12, u1, old2));
-  clamp_to_disc(lane(block.friction) * pressed, f1, f2);
+  const PlaneMass mass = {lane(block.tangent_mass[0]), lane(block.tangent_mass[1]),
+                          lane(block.tangent_mass[2])};
+  const FloatLanes share = splat(friction_share<pass, Block>());
+  FloatLanes f1 = old1, f2 = old2;
+  solve_disc(mass, lane(block.friction) * pressed, share * u.y, share * u.z, f1, f2);
   put(f1, block.impulses.tangent(0));
   put(f2, block.impulses.tangent(1));
   return {f1 - old1, f2 - old2};
@@ -145,12 +159,9 @@ template <class Block>
 RIGOR_FLOAT_LANES void solve_rolling(const FloatLanes& pressed, Block& block, LaneTwists& u,
                                      LaneTwists& wrench) {
   const FloatLanes old1 = lane(block.impulses.roll(0)), old2 = lane(block.impulses.roll(1));
-  const FloatLanes r11 = lane(block.roll_mass[0]), r22 = lane(block.roll_mass[1]),
-                   r12 = lane(block.roll_mass[2]);
-  // The moment that stops all rolling, shortened to the radius of the disc.
-  FloatLanes m1 = fused(-r12, u.w.z, fused(-r11, u.w.y, old1));
-  FloatLanes m2 = fused(-r22, u.w.z, fused(-r12, u.w.y, old2));
-  clamp_to_disc(lane(block.rolling_friction) * pressed, m1, m2);
+  const PlaneMass mass = {lane(block.roll_mass[0]), lane(block.roll_mass[1]), lane(block.roll_mass[2])};
+  FloatLanes m1 = old1, m2 = old2;
+  solve_disc(mass, lane(block.rolling_friction) * pressed, u.w.y, u.w.z, m1, m2);
   put(m1, block.impulses.roll(0));
   put(m2, block.impulses.roll(1));
 

@@ -21,6 +21,16 @@ struct ManifoldImpulses {
   std::array<float, 2> tangent{};
   float twist = 0;
   std::array<float, 2> roll{};
+
+  ManifoldImpulses& operator+=(const ManifoldImpulses& other) {
+    for (std::size_t k = 0; k < normal.size(); ++k) normal[k] += other.normal[k];
+    for (std::size_t k = 0; k < 2; ++k) {
+      tangent[k] += other.tangent[k];
+      roll[k] += other.roll[k];
+    }
+    twist += other.twist;
+    return *this;
+  }
 };
 
 /// One manifold of a block, as measures and bounces read it.
@@ -35,7 +45,8 @@ struct SolvedManifold {
   std::array<Point, Manifold::max_points> points;
   ManifoldImpulses impulses;             ///< Of the step.
   double bias_rate = 0, mass_scale = 1;  ///< Softness.
-  double restitution = 0;
+  double restitution = 0, friction = 0;
+  double torsional_friction = 0, rolling_friction = 0;  ///< [m].
 };
 
 template <BlockKind kind>
@@ -49,7 +60,7 @@ ManifoldImpulses read_impulses(const BlockImpulses<kind>& impulses, int lane) {
   return own;
 }
 
-/// total: of the step. Without restitution, which sweeps do not need.
+/// total: of the step. Without what only bounces need of the surface: set_surface().
 template <BlockKind kind>
 SolvedManifold read_manifold(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane) {
   const std::size_t i = at(lane);
@@ -74,6 +85,26 @@ SolvedManifold read_manifold(const ManifoldBlock<kind>& block, const BlockImpuls
   own.bias_rate = block.bias_rate[i];
   own.mass_scale = block.mass_scale[i];
   return own;
+}
+
+/// The laws of the surface.
+inline void set_surface(const ManifoldSurface& surface, SolvedManifold& manifold) {
+  manifold.restitution = surface.restitution;
+  manifold.friction = surface.friction;
+  manifold.torsional_friction = surface.torsional_friction;
+  manifold.rolling_friction = surface.rolling_friction;
+}
+
+/// Adds impulses to those of a lane, as far as its kind has them.
+template <BlockKind kind>
+void add_impulses(const ManifoldImpulses& added, int lane, BlockImpulses<kind>& impulses) {
+  const std::size_t i = at(lane);
+  for (std::size_t k = 0; k < impulses.points; ++k) impulses.normal(k)[i] += added.normal[k];
+  for (std::size_t k = 0; k < 2; ++k) impulses.tangent(k)[i] += added.tangent[k];
+  if constexpr (kind.turns()) impulses.twist()[i] += added.twist;
+  if constexpr (kind.has_moments) {
+    for (std::size_t k = 0; k < 2; ++k) impulses.roll(k)[i] += added.roll[k];
+  }
 }
 
 /// Impulses of a lane, of the last substep, features aside.

@@ -8,6 +8,7 @@
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rigor {
@@ -25,7 +26,9 @@ struct BulkJoints::Blocks {
   std::vector<int> other_joints;         ///< That no contact-free chains have, but for gears; ascending.
   std::vector<int> moved;                ///< A dynamic body of each joint.
   bool are_limits_new = false;           ///< Since the last step.
-  bool has_driven = false;               ///< Whether something that moves as it must holds a system.
+  using Impulses = std::array<FloatLanes, kMostJointRows>;
+  std::vector<Impulses> kept;  ///< Of all links, block after block: keep_impulses().
+  bool has_driven = false;     ///< Whether something that moves as it must holds a system.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -170,6 +173,29 @@ void BulkJoints::solve_rates_of_driven(const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
     if (block.is_moving && block.is_driven) solve_after_displacements(blocks_->effort(), block);
   });
+}
+
+void BulkJoints::keep_impulses() {
+  std::vector<Blocks::Impulses>& kept = blocks_->kept;
+  kept.clear();
+  for (const BulkJointBlock& block : blocks_->blocks) {
+    for (const JointLanes& joint : block.lanes.joints)
+      std::copy_n(joint.impulse, kMostJointRows, kept.emplace_back().begin());
+  }
+}
+
+void BulkJoints::take_back_impulses(const std::function<bool(int)>& is_wanted) {
+  std::size_t next = 0;
+  for (BulkJointBlock& block : blocks_->blocks) {
+    for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
+      const Blocks::Impulses& before = blocks_->kept[next++];
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int joint = block.lanes.systems.links[i].joints[at(lane)];
+        if (joint < 0 || !is_wanted(joint)) continue;
+        for (int r = 0; r < kMostJointRows; ++r) block.lanes.joints[i].impulse[r][lane] = before[at(r)][lane];
+      }
+    }
+  }
 }
 
 bool BulkJoints::has_loops() const {

@@ -4,6 +4,7 @@
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/geometry/lanes/lane_target.hpp"
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -58,6 +59,10 @@ class BulkJoints {
   bool displaces(int body) const;
   /// solve(rates) of the other systems, once all others are displaced.
   void solve_rates_of_driven(const Executor& executor);
+  /// Notes what joints have done in the substep, ...
+  void keep_impulses();
+  /// ... and makes it that again for the joints for which is_wanted(joint): after trials.
+  void take_back_impulses(const std::function<bool(int)>& is_wanted);
   /// Whether there are systems with loops.
   bool has_loops() const;
   /// Bound of the frequencies [rad/s] of the vibrations that the forces of the last substep hold in systems

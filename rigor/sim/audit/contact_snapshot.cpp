@@ -60,7 +60,7 @@ Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t
 std::vector<TouchingPoint> points_of(const Method& method, const ContactSystemAssembler& assembler,
                                      const Cluster& part, std::size_t most_contacts) {
   const ContactSystem touching = assembler.assemble(part, part.contacts);
-  const double parting = parting_speed(method.resting_velocity);
+  const double parting = parting_tolerance(method);
   std::vector<TouchingPoint> points;
   std::vector<std::size_t> pressed;
   std::vector<Contact> candidates;
@@ -149,7 +149,7 @@ void add_joint_forces(const Model& model, const Method& method, const ContactSys
   const std::vector<int> joints = assembler.joints_of(part.bodies);
   if (joints.empty()) return;
   ContactSystem system = assembler.assemble(part, part.contacts);
-  const double parting = parting_speed(method.resting_velocity);
+  const double parting = parting_tolerance(method);
   const VecX u = relative_velocities(system);
   std::vector<Contact> lasting =
       joint_stops(model, joints, system.bodies, system.kinetics, method.contact_tolerance);

