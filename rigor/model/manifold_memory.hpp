@@ -19,7 +19,7 @@ struct ManifoldMemory {
   int point_count = 0;             ///< At most max_points: how many features and impulses are used.
   std::array<std::uint32_t, max_points> feature{};
   std::array<float, max_points> normal_impulse{};  ///< Of the last substep [N s], >= 0.
-  std::array<float, 3> friction_impulse_W{};       ///< On B, of the last substep [N s].
+  std::array<float, 3> friction_impulse_W{};       ///< On B, where the next step begins [N s].
   float twist_impulse = 0;                         ///< About the normal, on B [N m s].
   std::array<float, 3> rolling_impulse_W{};        ///< Of rolling friction, on B [N m s].
   float energy = 0;                                ///< Elastic energy of its springs [J].

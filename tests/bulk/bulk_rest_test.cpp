@@ -107,6 +107,83 @@ TEST(BulkRest, AWallComesToRest) {
   }
 }
 
+/// Bricks of 0.5 x 0.25 x 0.25 m that touch on all sides; every other row begins and ends with half a brick.
+std::shared_ptr<const Model> aligned_wall(int rows, int columns) {
+  ModelBuilder builder = builder_with_ground();
+  for (int i = 0; i < rows; ++i) {
+    const bool is_shifted = i % 2 == 1;
+    for (int j = 0; j < columns + (is_shifted ? 1 : 0); ++j) {
+      const bool is_first = is_shifted && j == 0, is_last = is_shifted && j == columns;
+      const double x = 0.5 * j + (is_first ? 0.125 : is_shifted ? 0 : 0.25) - (is_last ? 0.125 : 0);
+      builder.add_body(resting_body("brick " + std::to_string(i) + " " + std::to_string(j),
+                                    Box{Vec3(is_first || is_last ? 0.125 : 0.25, 0.125, 0.125)},
+                                    Vec3(x, 0, 0.25 * (i + 0.5))));
+    }
+  }
+  return builder.build();
+}
+
+TEST(BulkRest, AWallOfThirtyRowsComesToRest) {
+  // Its bricks vibrated in its plane at 27 mm/s (rms) for ever, when friction began a step where it had ended
+  // the one before.
+  const std::shared_ptr<const Model> model = aligned_wall(30, 20);
+  BulkWorld world(model, BulkSettings{});
+  world.read(make_initial_state(*model));
+  for (int k = 0; k < 1200; ++k) world.step(1.0 / 60);
+  double sum = 0;
+  for (std::size_t i = 1; i < world.bodies().x.size(); ++i) {
+    const MotionRecord& motion = world.bodies().motion[i];
+    for (int axis = 0; axis < 3; ++axis) sum += std::pow(static_cast<double>(motion.v[axis]), 2);
+  }
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(world.bodies().x.size() - 1)), 1e-3);
+}
+
+/// Storeys of posts, each with lintels from post to post on them, in the plane y = 0.
+std::shared_ptr<const Model> temple(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * std::uniform_real_distribution<double>()(random);
+  };
+  ModelBuilder builder = builder_with_ground();
+  const double span = between(0.3, 1);
+  const int bays = static_cast<int>(between(2, 4));
+  double z = 0;
+  for (int storey = 0; storey < 4; ++storey) {
+    const std::string name = std::to_string(storey) + " ";
+    const double height = span * between(0.8, 2), thickness = span * between(0.15, 0.3);
+    for (int i = 0; i <= bays; ++i)
+      builder.add_body(resting_body("post " + name + std::to_string(i),
+                                    Box{Vec3(0.2 * span, 0.3 * span, 0.5 * height)},
+                                    Vec3(i * span, 0, z + 0.5 * height)));
+    z += height;
+    for (int i = 0; i < bays; ++i)
+      builder.add_body(resting_body("lintel " + name + std::to_string(i),
+                                    Box{Vec3(0.5 * span, 0.3 * span, 0.5 * thickness)},
+                                    Vec3((i + 0.5) * span, 0, z + 0.5 * thickness)));
+    z += thickness;
+  }
+  return builder.build();
+}
+
+TEST(BulkRest, ATempleOfFourStoreysComesToRest) {
+  // With springs against the ground that were too stiff for the sweeps (2 π / 3 a substep) two of these
+  // swung out of their plane at 8 and 18 mm/s for ever.
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const std::shared_ptr<const Model> model = temple(seed);
+    BulkWorld world(model, BulkSettings{});
+    world.read(make_initial_state(*model));
+    for (int k = 0; k < 1200; ++k) world.step(1.0 / 60);
+    double fastest = 0;
+    for (std::size_t i = 1; i < world.bodies().x.size(); ++i) {
+      const MotionRecord& motion = world.bodies().motion[i];
+      for (int axis = 0; axis < 3; ++axis)
+        fastest = std::max(fastest, std::abs(static_cast<double>(motion.v[axis])));
+    }
+    // Velocities of 32 bits, within a step of some cm/s of gravity; forty contacts add theirs up.
+    EXPECT_LT(fastest, 1e-4) << seed;
+  }
+}
+
 TEST(BulkRest, AnAskewTowerFallsAsleep) {
   const std::shared_ptr<const Model> model = askew_tower(4, 5);
   State state = make_initial_state(*model);

@@ -88,9 +88,8 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, double whole, con
   blocks_.arrange(colouring_.now());
 
   // Springs (docs/theory/bulk.md, section 3).
-  const double frequency = contact_frequency_a_substep / whole;
-  const Softness between_moving = make_softness(frequency, contact_damping, h);
-  const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
+  const Softness between_moving = make_softness(contact_frequency_a_substep / whole, contact_damping, h);
+  const Softness on_ground = make_softness(ground_frequency_a_substep / whole, contact_damping, h);
 
   // Eight manifolds a block.
   executor.for_ranges(blocks_.count(), 16, [&](int begin, int end) {
@@ -210,7 +209,7 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
     if (has_energy) memory.set_energy(i, 0);
   }
 
-  // Impulses of the last substep, and the energies of the springs.
+  // Impulses that the next step begins with, and the energies of the springs.
   const auto for_lanes = [&](int number, const auto& work) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int manifold = manifold_of(number, lane);

@@ -230,7 +230,11 @@ RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const Blo
   const FloatVec3 friction_W = {tangential.a, tangential.b, tangential.c};
   put(fused_dot(f.t1, friction_W), block.impulses.tangent(0));
   put(fused_dot(f.t2, friction_W), block.impulses.tangent(1));
-  if constexpr (Block::kind.turns()) block.impulses.twist() = twist;
+  if constexpr (Block::kind.turns()) {
+    block.impulses.twist() = twist;
+    for (std::size_t k = 0; k < 2; ++k) block.first_friction[k] = block.impulses.tangent(k);
+    block.first_friction[2] = twist;
+  }
   if constexpr (Block::kind.has_moments) {
     const TwoSquares moments = gather_fours(rolling);
     const FloatVec3 moment_W = {moments.a, moments.b, moments.c};

@@ -107,20 +107,26 @@ void add_impulses(const ManifoldImpulses& added, int lane, BlockImpulses<kind>& 
   }
 }
 
-/// Impulses of a lane, of the last substep, features aside.
+/// Impulses with which the next step begins, features aside: those of the last substep. Friction of patches
+/// is the mean of what this step began and ended with, which damps what it would excite (docs/theory/bulk.md,
+/// section 4).
 template <BlockKind kind>
 void read_lane(const ManifoldBlock<kind>& block, int lane, const ManifoldMemories::Slot& to) {
   const std::size_t i = at(lane);
   const auto& impulses = block.impulses;
   for (std::size_t k = 0; k < at(to.point_count); ++k) to.normal_impulse[k] = impulses.normal(k)[i];
+  float friction[2] = {impulses.tangent(0)[i], impulses.tangent(1)[i]};
+  if constexpr (kind.turns()) {
+    for (std::size_t k = 0; k < 2; ++k) friction[k] = 0.5F * (block.first_friction[k][i] + friction[k]);
+    *to.twist_impulse = 0.5F * (block.first_friction[2][i] + impulses.twist()[i]);
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
     const float t1 = block.t1[k][i], t2 = block.n[l][i] * block.t1[m][i] - block.n[m][i] * block.t1[l][i];
-    to.friction_impulse_W[k] = impulses.tangent(0)[i] * t1 + impulses.tangent(1)[i] * t2;
+    to.friction_impulse_W[k] = friction[0] * t1 + friction[1] * t2;
     if constexpr (kind.has_moments)
       to.rolling_impulse_W[k] = impulses.roll(0)[i] * t1 + impulses.roll(1)[i] * t2;
   }
-  if constexpr (kind.turns()) *to.twist_impulse = impulses.twist()[i];
 }
 
 }  // namespace rigor

@@ -17,9 +17,11 @@ namespace rigor {
 /// Eight floats, one per lane.
 using LaneArray = std::array<float, kLaneCount>;
 
-/// Frequency of the spring of a contact of two dynamic bodies, in cycles per substep [1]: the stiffest spring
-/// that one sweep per substep holds without trembling. Contacts with bodies that stand still have twice that.
+/// Frequencies of the springs of contacts of two dynamic bodies, and with bodies that stand still, in cycles
+/// per substep [1]. Sweeps lag behind what many bodies do together: where 2 π times this is more than √2,
+/// such motions are excited (docs/theory/bulk.md, section 3).
 inline constexpr double contact_frequency_a_substep = 1.0 / 6;
+inline constexpr double ground_frequency_a_substep = 2.0 / 9;
 
 /// Contact as a stiff, strongly damped spring of the overlap (docs/theory/bulk.md, section 3).
 struct Softness {
@@ -86,10 +88,11 @@ struct BlockArm {
 template <int points>
 struct PatchRows {
   std::array<BlockArm, points> arms;
-  LaneArray Kvn;         ///< Of K: V_n by its impulse [1/kg].
-  LaneArray Kww[6];      ///< Of K, along n, t1, t2: xx yy zz xy xz yz of W by moments [1/(kg m^2)].
-  LaneArray Kvw[3][3];   ///< Of K: V (first) by moments, W (second) by impulses [1/(kg m)].
-  LaneArray twist_mass;  ///< Inverse of the response to a moment about n [kg m^2].
+  LaneArray Kvn;                ///< Of K: V_n by its impulse [1/kg].
+  LaneArray Kww[6];             ///< Of K, along n, t1, t2: xx yy zz xy xz yz of W by moments [1/(kg m^2)].
+  LaneArray Kvw[3][3];          ///< Of K: V (first) by moments, W (second) by impulses [1/(kg m)].
+  LaneArray twist_mass;         ///< Inverse of the response to a moment about n [kg m^2].
+  LaneArray first_friction[3];  ///< Impulses along t1, t2 and about n with which the step began.
 };
 /// What a block has besides where there is torsional or rolling friction.
 struct RollingRows {
