@@ -16,7 +16,10 @@
 namespace rigor {
 
 struct Executor::Pool {
-  explicit Pool(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+  explicit Pool(int threads)
+      : arena(std::min({threads, tbb::info::default_concurrency(), SharedLoop::most_members})) {
+    loop.set_members(arena.max_concurrency());
+  }
 
   tbb::task_arena arena;
   SharedLoop loop;
@@ -28,12 +31,13 @@ struct Executor::Team::Helpers {
     pool.loop.open();
     pool.has_team = true;
     const Subnormals subnormals = subnormals_now();
-    const auto help = [this, subnormals] {
-      const SubnormalScope scope(subnormals);
-      pool.loop.help();
-    };
     pool.arena.execute([&] {
-      for (int i = 1; i < pool.arena.max_concurrency(); ++i) group.run(help);
+      for (int member = 1; member < pool.arena.max_concurrency(); ++member) {
+        group.run([this, subnormals, member] {
+          const SubnormalScope scope(subnormals);
+          pool.loop.help(member);
+        });
+      }
     });
   }
   ~Helpers() {

@@ -1,6 +1,7 @@
 #include "rigor/bulk/threads/shared_loop.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 
 #include <thread>
 #include <utility>
@@ -32,45 +33,58 @@ class SpinWait {
 
 void SharedLoop::run(int count, int ranges, const Body& body) {
   RIGOR_ASSERT(ranges >= 1 && ranges <= most_ranges);
-  // All of the loop is written before its ticket is released: a thread that takes a range sees it.
+  // All of the loop is written before its tickets are released: a thread that takes a range sees it.
   body_ = &body;
   count_ = count;
+  ranges_ = ranges;
   is_running_.store(true, std::memory_order_relaxed);
   done_.store(0, std::memory_order_relaxed);
   ++number_;
-  ticket_.store(std::uint64_t{number_} << 32 | static_cast<std::uint64_t>(ranges) << 16,
-                std::memory_order_release);
+  for (int member = members_; member-- > 0;) {
+    const auto begin_of = [&](int k) { return static_cast<std::uint64_t>(ranges * k / members_); };
+    stretches_[at(member)].ticket.store(
+        std::uint64_t{number_} << 32 | begin_of(member + 1) << 16 | begin_of(member),
+        std::memory_order_release);
+  }
   // The calling thread takes ranges too, and then waits for those that others have taken.
-  while (take_range()) {
+  while (take_range(0)) {
   }
   for (SpinWait wait; done_.load(std::memory_order_acquire) < ranges;) wait.wait();
   is_running_.store(false, std::memory_order_relaxed);
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
-void SharedLoop::help() {
+void SharedLoop::help(int member) {
   SpinWait wait;
   while (!is_closed_.load(std::memory_order_acquire)) {
-    if (take_range())
+    if (take_range(member))
       wait = {};
     else
       wait.wait();
   }
 }
 
-/// Takes the next range and runs it; false if there is none.
-bool SharedLoop::take_range() {
+/// Takes the next range of the member's own stretch, or of the first after it that has any left, and runs it;
+/// false if there is none.
+bool SharedLoop::take_range(int member) {
+  for (int k = 0; k < members_; ++k)
+    if (take_range_of((member + k) % members_)) return true;
+  return false;
+}
+
+bool SharedLoop::take_range_of(int member) {
   // The next range of the loop that the ticket names: if the loop has changed meanwhile, so has the ticket,
   // and the exchange fails.
-  std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
-  int ranges = 0, k = 0;
+  std::atomic<std::uint64_t>& own = stretches_[at(member)].ticket;
+  std::uint64_t ticket = own.load(std::memory_order_acquire);
+  int k = 0;
   do {
-    ranges = static_cast<int>(ticket >> 16 & most_ranges);
+    const int end = static_cast<int>(ticket >> 16 & most_ranges);
     k = static_cast<int>(ticket & most_ranges);
-    if (k >= ranges) return false;
-  } while (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel));
+    if (k >= end) return false;
+  } while (!own.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel));
   const auto begin_of = [&](int i) {
-    return static_cast<int>(static_cast<std::int64_t>(count_) * i / ranges);
+    return static_cast<int>(static_cast<std::int64_t>(count_) * i / ranges_);
   };
   // The first exception is kept and thrown by run().
   try {
