@@ -26,6 +26,7 @@ void BulkStepReport::add(const BulkStepReport& later) {
     max_joint_error = later.max_joint_error;
     worst_joint = later.worst_joint;
   }
+  if (broken_body < 0) broken_body = later.broken_body;
 }
 
 BulkStepReport describe_contacts(const Model& model, const std::vector<ShapePair>& pairs,

@@ -28,6 +28,8 @@ struct BulkStepReport {
   int worst_A = -1, worst_B = -1;      ///< Its bodies.
   double max_joint_error = 0;  ///< Largest joint error at the end of the step [m]: BulkJoints::worst_error.
   int worst_joint = -1;        ///< The joint with that error.
+  /// A body whose pose or velocity is not finite at the end of the step, -1: none. Such a world cannot go on.
+  int broken_body = -1;
 
   /// Adds what happened in a later part of the step.
   void add(const BulkStepReport& later);

@@ -357,6 +357,7 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
     s.sleepers->settle(h, bodies_, memory_);
     report.sleeping_count = s.sleepers->count();
   }
+  report.broken_body = bodies_.find_broken();
   t_ += h;
 }
 

@@ -128,14 +128,15 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
       hold_joints(group, step.executor, joints, bodies);
     }
   }
-  if (!has_changed) {
+  if (!has_changed && are_finite(group, bodies)) {
     joints.take_back_impulses([&](int joint) {
       const std::vector<int> own = model_->bodies_of_joint(joint);
       return std::none_of(own.begin(), own.end(), [&](int body) { return group_[at(body)] == group; });
     });
     return;
   }
-  // Very heavy bodies on light ones do not come to an end so: they are left as the sweeps have left them.
+  // Very heavy bodies on light ones do not come to an end so, and joints that contradict each other may let
+  // rounds grow beyond all numbers: such groups are left as the sweeps have left them.
   std::copy(motion_.begin(), motion_.end(), bodies.motion.begin());
   joints.take_back_impulses([](int) { return true; });
   for (Struck& struck : struck_) {
@@ -143,6 +144,16 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
     struck.added = {};
     struck.kept = infinity;
   }
+}
+
+/// Whether all velocities of a group are numbers.
+bool SettledImpacts::are_finite(int group, const BulkBodies& bodies) const {
+  for (std::size_t i = 0; i < group_.size(); ++i) {
+    const MotionRecord& motion = bodies.motion[i];
+    if (group_[i] == group && !(vector_of(motion.v).allFinite() && vector_of(motion.w).allFinite()))
+      return false;
+  }
+  return true;
 }
 
 /// Lets joints hold what they connect with bodies of a group.

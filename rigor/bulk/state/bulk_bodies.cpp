@@ -173,6 +173,17 @@ double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies
   return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));
 }
 
+int BulkBodies::find_broken() const {
+  for (int i = 0; i < count(); ++i) {
+    const std::size_t k = at(i);
+    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
+    float sum = 0;
+    for (int axis = 0; axis < 3; ++axis) sum += motion[k].v[axis] + motion[k].w[axis];
+    if (!std::isfinite(sum) || !x[k].allFinite() || !q[k].coeffs().allFinite()) return i;
+  }
+  return -1;
+}
+
 void end_bulk_step(const Executor& executor, BulkBodies& bodies) {
   executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -98,6 +98,8 @@ struct BulkBodies {
   std::vector<TiltRow> tilts;
 
   int count() const { return static_cast<int>(x.size()); }
+  /// The first body whose pose or velocity is not finite, -1 if there is none.
+  int find_broken() const;
   /// Whether impulses move the body: it is dynamic and does not sleep. The others stand, or move as
   /// prescribed.
   bool is_dynamic(int body) const { return inertia[at(body)].inv_mass > 0; }

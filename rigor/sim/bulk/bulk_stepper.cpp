@@ -62,13 +62,14 @@ double BulkStepper::step_towards(double t_end, double t, State& state) {
   last_step_ = t_end - t;
   // Bodies that a blade strikes within the step go ways that its ends do not tell.
   world_->set_part_observer([&] {
-    if (find_broken_body() >= 0) return;
+    if (world_->bodies().find_broken() >= 0) return;
     show_step(std::min(world_->time(), t_end), state);
     watch_part(state);
   });
-  note(world_->step(last_step_, whole_step()), t, t_end);
+  const BulkStepReport taken = world_->step(last_step_, whole_step());
+  note(taken, t, t_end);
   world_->set_part_observer({});
-  if (const int broken = find_broken_body(); broken >= 0) {
+  if (const int broken = taken.broken_body; broken >= 0) {
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(broken).name + "'";
     report_.bodies = {broken};
@@ -173,20 +174,6 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
   report_.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
   if (step.worst_A >= 0) report_.note_overlap(*model_, step.worst_overlap, step.worst_A, step.worst_B, t);
   report_.note_joint_drift(step.max_joint_error, step.worst_joint);
-}
-
-/// A body whose position or velocity is not finite, or -1.
-int BulkStepper::find_broken_body() const {
-  const BulkBodies& bodies = world_->bodies();
-  for (int i = 0; i < bodies.count(); ++i) {
-    const std::size_t k = at(i);
-    const MotionRecord& motion = bodies.motion[k];
-    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
-    float sum = 0;
-    for (int axis = 0; axis < 3; ++axis) sum += motion.v[axis] + motion.w[axis];
-    if (!std::isfinite(sum) || !bodies.x[k].allFinite() || !bodies.q[k].coeffs().allFinite()) return i;
-  }
-  return -1;
 }
 
 }  // namespace rigor

@@ -52,7 +52,6 @@ class BulkStepper : public FixedStepStepper {
   void show_step(double t, State& state) override;
   void end_span(double t, State& state) override;
   void note(const BulkStepReport& step, double t, double t_end);
-  int find_broken_body() const;
 
   BulkSettings settings_;
   std::shared_ptr<Model> own_;  ///< Of a stepper that has followed: changed in place, for its world alone.
