@@ -225,7 +225,7 @@ void SettledImpacts::list_struck(const HeldBodies& held, const BulkContacts& con
 Mat6 SettledImpacts::find_response(const Struck& struck, const Executor& executor, BulkJoints& joints,
                                    BulkBodies& bodies) {
   const SolvedManifold& manifold = struck.manifold;
-  const Mat6 alone = response_alone(manifold, bodies);
+  Mat6 alone = response_alone(manifold, bodies);
   if (!are_jointed(manifold.body_A, manifold.body_B)) return alone;
   const Vec6 untouched = try_wrench(manifold, Vec6::Zero(), executor, joints, bodies);
   const double speed = speed_of_impact(manifold);
@@ -246,7 +246,7 @@ Vec6 SettledImpacts::try_wrench(const SolvedManifold& manifold, const Vec6& wren
                                 BulkJoints& joints, BulkBodies& bodies) {
   apply(manifold, wrench, bodies);
   joints.solve(JointPass::rates, executor);
-  const Vec6 u = motion_at(manifold, bodies);
+  Vec6 u = motion_at(manifold, bodies);
   std::copy(motion_.begin(), motion_.end(), bodies.motion.begin());
   joints.take_back_impulses([](int) { return true; });
   return u;

@@ -34,7 +34,7 @@ bool meets_fast(const SolvedManifold::Point& point) {
 Eigen::Vector2d on_disc(double radius, const Eigen::Matrix2d& K, const Eigen::Vector2d& u,
                         const Eigen::Vector2d& before) {
   if (!(K.determinant() > 0)) return before;
-  const Eigen::Vector2d stopping = before - K.inverse() * u;
+  Eigen::Vector2d stopping = before - K.inverse() * u;
   if (stopping.norm() <= radius) return stopping;
   // The larger eigenvalue of the response.
   const double mean = 0.5 * K.trace(), most = mean + std::hypot(0.5 * (K(0, 0) - K(1, 1)), K(0, 1));
