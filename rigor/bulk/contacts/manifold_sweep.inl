@@ -106,8 +106,8 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
 struct PlaneMass {
   FloatLanes m11, m22, m12;
 };
-/// The impulse (f1, f2) of friction on a disc. It stops the velocity (u1, u2) if it can. If not, it lies on the
-/// rim, opposed to the velocity: a step along it from the old impulse, such as would stop it where least
+/// The impulse (f1, f2) of friction on a disc. It stops the velocity (u1, u2) if it can. If not, it lies on
+/// the rim, opposed to the velocity: a step along it from the old impulse, such as would stop it where least
 /// impulse is needed, and from there to the rim. (What stops the velocity, shortened to the disc, is askew to
 /// it: a plank that slid at 45 degrees curved by nine.)
 RIGOR_FLOAT_LANES void solve_disc(const PlaneMass& mass, const FloatLanes& radius, const FloatLanes& u1,
