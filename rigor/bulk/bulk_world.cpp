@@ -1,7 +1,6 @@
 #include "rigor/bulk/bulk_world.hpp"
 
 #include "rigor/bulk/bulk_world_scratch.hpp"
-#include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/bulk/lanes/float_lanes.hpp"
 #include "rigor/bulk/threads/subnormals.hpp"
 #include "rigor/core/assert.hpp"

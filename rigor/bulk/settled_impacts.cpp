@@ -1,6 +1,7 @@
 #include "rigor/bulk/settled_impacts.hpp"
 
 #include "rigor/bulk/contacts/manifold_bounce.hpp"
+#include "rigor/bulk/graph/disjoint_sets.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace rigor {
@@ -37,12 +37,6 @@ Mat6 response_alone(const SolvedManifold& manifold, const BulkBodies& bodies) {
     K += response_of(bodies.inertia[at(body)], f, is_B ? f.rB : f.rA).K;
   }
   return K;
-}
-
-/// The root of a body in a forest whose roots are their own parents.
-int root_of(std::vector<int>& parents, int body) {
-  while (parents[at(body)] != body) body = parents[at(body)] = parents[at(parents[at(body)])];
-  return body;
 }
 
 /// What a wrench on body B, and its opposite on A, does to them alone.
@@ -74,23 +68,6 @@ double speed_of_impact(const SolvedManifold& manifold) {
 
 SettledImpacts::SettledImpacts(const Model& model) : model_(&model) {
   find_jointed();
-}
-
-void SettledImpacts::find_jointed() {
-  is_jointed_.assign(at(model_->body_count()), 0);
-  tree_.resize(is_jointed_.size());
-  std::iota(tree_.begin(), tree_.end(), 0);
-  for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
-    int first = -1;
-    for (const int body : model_->bodies_of_joint(j)) {
-      is_jointed_[at(body)] = 1;
-      if (model_->body(body).motion != MotionType::dynamic) continue;
-      if (first < 0) first = body;
-      const int a = root_of(tree_, first), b = root_of(tree_, body);
-      tree_[at(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  for (int body = 0; body < model_->body_count(); ++body) tree_[at(body)] = root_of(tree_, body);
 }
 
 void SettledImpacts::settle(const Step& step, BulkJoints& joints, BulkContacts& contacts,
@@ -159,27 +136,28 @@ bool SettledImpacts::are_finite(int group, const BulkBodies& bodies) const {
 /// Lets joints hold what they connect with bodies of a group.
 void SettledImpacts::hold_joints(int group, const Executor& executor, BulkJoints& joints,
                                  BulkBodies& bodies) const {
-  const auto is_own = [&](std::size_t i) { return is_jointed_[i] != 0 && group_[i] == group; };
+  const auto is_own = [&](std::size_t i) {
+    return jointed_.contains(static_cast<int>(i)) && group_[i] == group;
+  };
   bool has_joints = false;
   for (std::size_t i = 0; i < group_.size(); ++i) has_joints = has_joints || is_own(i);
   if (!has_joints) return;
   joints.solve(JointPass::rates, executor);
   for (std::size_t i = 0; i < motion_.size(); ++i) {
-    if (is_jointed_[i] != 0 && !is_own(i)) bodies.motion[i] = motion_[i];
+    if (jointed_.contains(static_cast<int>(i)) && !is_own(i)) bodies.motion[i] = motion_[i];
   }
 }
 
 /// Bodies that joints or contacts that struck connect.
 void SettledImpacts::find_groups() {
-  group_ = tree_;
+  group_ = jointed_.groups();
   const auto is_dynamic = [&](int body) { return model_->body(body).motion == MotionType::dynamic; };
   for (const Struck& struck : struck_) {
     const int a = struck.manifold.body_A, b = struck.manifold.body_B;
     if (!is_dynamic(a) || !is_dynamic(b)) continue;
-    const int x = root_of(group_, a), y = root_of(group_, b);
-    group_[at(std::max(x, y))] = std::min(x, y);
+    join_sets(group_, a, b);
   }
-  for (int body = 0; body < static_cast<int>(group_.size()); ++body) group_[at(body)] = root_of(group_, body);
+  for (int& group : group_) group = find_root(group_, group);
   for (Struck& struck : struck_)
     struck.group =
         group_[at(is_dynamic(struck.manifold.body_A) ? struck.manifold.body_A : struck.manifold.body_B)];

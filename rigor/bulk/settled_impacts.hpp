@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
 #include "rigor/bulk/contacts/manifold_impact.hpp"
+#include "rigor/bulk/graph/jointed_bodies.hpp"
 #include "rigor/bulk/joints/bulk_joints.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/held_bodies.hpp"
@@ -23,11 +24,12 @@ class SettledImpacts {
  public:
   explicit SettledImpacts(const Model& model);
   /// After joints or bodies of the Model have changed.
-  void find_jointed();
+  void find_jointed() { jointed_.find(*model_); }
 
-  /// Whether a joint holds the body to another or to the world.
-  bool is_jointed(int body) const { return is_jointed_[at(body)] != 0; }
-  bool are_jointed(int body_A, int body_B) const { return is_jointed(body_A) || is_jointed(body_B); }
+  /// Whether a joint holds one of the bodies to others or to the world.
+  bool are_jointed(int body_A, int body_B) const {
+    return jointed_.contains(body_A) || jointed_.contains(body_B);
+  }
   /// What the step was taken with.
   struct Step {
     double substep;                               ///< [s].
@@ -62,9 +64,8 @@ class SettledImpacts {
   void hold_joints(int group, const Executor& executor, BulkJoints& joints, BulkBodies& bodies) const;
 
   const Model* model_;
-  std::vector<char> is_jointed_;  ///< By body.
-  std::vector<int> tree_;         ///< By body: the lowest of the dynamic bodies that joints connect with it.
-  std::vector<int> group_;        ///< By body: those whose impacts concern each other, by the lowest.
+  JointedBodies jointed_;
+  std::vector<int> group_;  ///< By body: those whose impacts concern each other, by the lowest.
   std::vector<Struck> struck_;
   std::vector<MotionRecord> motion_;  ///< Before joints hold what the impacts change.
 };

@@ -87,6 +87,31 @@ void add_friction(const SolvedManifold& manifold, const Vec6& u, const Mat6& K, 
   }
 }
 
+/// Sweeps over friction and points until they change no more. mobility: the responses of the points that take
+/// part to their impulses; 0 of the others.
+ImpactImpulses sweep_impact(const SolvedManifold& manifold, const ImpactAim& aim,
+                            const std::array<double, Manifold::max_points>& mobility, bool has_friction,
+                            const Vec6& u, const Mat6& K) {
+  ImpactImpulses found;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    const Vec6 before = found.wrench;
+    if (has_friction) add_friction(manifold, u, K, found);
+    for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
+      const double own = manifold.impulses.normal[k];
+      if (!(mobility[k] > 0)) continue;
+      const bool is_fast = meets_fast(manifold.points[k]);
+      const double wanted = is_fast ? aim.speeds[k] : 0, least = is_fast && aim.may_take_back ? -own : 0;
+      const Vec6 row = row_of(manifold.points[k]);
+      const double speed = row.dot(u + K * found.wrench);
+      const double next = std::max(least, found.points[k] + (wanted - speed) / mobility[k]);
+      found.wrench += (next - found.points[k]) * row;
+      found.points[k] = next;
+    }
+    if (sweep > 0 && (found.wrench - before).norm() <= settled * found.wrench.norm()) break;
+  }
+  return found;
+}
+
 }  // namespace
 
 WrenchResponse response_of(const InverseInertia& inertia, const ManifoldFrame& f, const Vec3& r) {
@@ -149,8 +174,6 @@ ManifoldImpulses ImpactImpulses::part(double share) const {
 
 ImpactImpulses find_impact(const SolvedManifold& manifold, const ImpactAim& aim, const Vec6& u,
                            const Mat6& K) {
-  const bool has_friction =
-      manifold.friction > 0 || manifold.torsional_friction > 0 || manifold.rolling_friction > 0;
   // Points that nothing moves have no impulse, and those that nothing has pressed. But what came as fast from
   // no farther than one that was pressed has met too.
   double farthest = -std::numeric_limits<double>::infinity();
@@ -164,24 +187,11 @@ ImpactImpulses find_impact(const SolvedManifold& manifold, const ImpactAim& aim,
     const Vec6 row = row_of(point);
     if (manifold.impulses.normal[k] > 0 || has_met) mobility[k] = row.dot(K * row);
   }
-  ImpactImpulses found;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    const Vec6 before = found.wrench;
-    if (has_friction) add_friction(manifold, u, K, found);
-    for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
-      const double own = manifold.impulses.normal[k];
-      if (!(mobility[k] > 0)) continue;
-      const bool is_fast = meets_fast(manifold.points[k]);
-      const double wanted = is_fast ? aim.speeds[k] : 0, least = is_fast && aim.may_take_back ? -own : 0;
-      const Vec6 row = row_of(manifold.points[k]);
-      const double speed = row.dot(u + K * found.wrench);
-      const double next = std::max(least, found.points[k] + (wanted - speed) / mobility[k]);
-      found.wrench += (next - found.points[k]) * row;
-      found.points[k] = next;
-    }
-    if (sweep > 0 && (found.wrench - before).norm() <= settled * found.wrench.norm()) break;
-  }
-  return found;
+  const bool has_friction =
+      manifold.friction > 0 || manifold.torsional_friction > 0 || manifold.rolling_friction > 0;
+  const ImpactImpulses found = sweep_impact(manifold, aim, mobility, has_friction, u, K);
+  // Friction with long arms may press points more than it takes from them, beyond all numbers.
+  return found.wrench.allFinite() ? found : sweep_impact(manifold, aim, mobility, false, u, K);
 }
 
 }  // namespace rigor

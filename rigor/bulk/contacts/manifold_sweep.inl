@@ -117,9 +117,9 @@ RIGOR_FLOAT_LANES void solve_disc(const PlaneMass& mass, const FloatLanes& radiu
   const FloatLanes stop2 = fused(-mass.m22, u2, fused(-mass.m12, u1, f2));
   const IntLanes slides = fused(stop1, stop1, stop2 * stop2) > radius * radius;
 
-  // The smaller eigenvalue of the mass.
+  // The smaller eigenvalue of the mass; not less than rounding leaves of it beside a far larger one.
   const FloatLanes mean = half * (mass.m11 + mass.m22), apart = half * (mass.m11 - mass.m22);
-  const FloatLanes least = mean - root(fused(apart, apart, mass.m12 * mass.m12));
+  const FloatLanes least = larger(mean - root(fused(apart, apart, mass.m12 * mass.m12)), splat(1e-6F) * mean);
   const FloatLanes slide1 = fused(-least, u1, f1), slide2 = fused(-least, u2, f2);
   const FloatLanes length = root(fused(slide1, slide1, slide2 * slide2));
   const FloatLanes scale = length > zero ? radius / length : zero;

@@ -1,5 +1,6 @@
 #include "rigor/bulk/graph/islands.hpp"
 
+#include "rigor/bulk/graph/disjoint_sets.hpp"
 #include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
@@ -50,7 +51,7 @@ void BulkIslands::forget() {
   for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
     islands_[i] = is_dynamic_[i] ? static_cast<int>(i) : -1;
   for (const Pair& pair : lasting_) join(pair);
-  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
+  for (int& island : islands_) island = island < 0 ? -1 : find_root(islands_, island);
 }
 
 void BulkIslands::build(const std::vector<ManifoldMemory>& contacts) {
@@ -77,7 +78,7 @@ void BulkIslands::update() {
   std::set_difference(pairs_.begin(), pairs_.end(), next_.begin(), next_.end(), std::back_inserter(lost_));
   if (!lost_.empty()) dissolve_those_that_lost();
   for (const Pair& pair : next_) join(pair);
-  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
+  for (int& island : islands_) island = island < 0 ? -1 : find_root(islands_, island);
   pairs_.swap(next_);
 }
 
@@ -91,19 +92,8 @@ void BulkIslands::dissolve_those_that_lost() {
   for (const Pair& pair : lasting_) join(pair);
 }
 
-int BulkIslands::root_of(int body) {
-  while (islands_[at(body)] != body) {
-    islands_[at(body)] = islands_[at(islands_[at(body)])];
-    body = islands_[at(body)];
-  }
-  return body;
-}
-
-/// Joins two islands: union by the lower number, with path halving (Tarjan and van Leeuwen, Worst-Case
-/// Analysis of Set Union Algorithms, J. ACM 31(2), 1984).
 void BulkIslands::join(const Pair& pair) {
-  const int a = root_of(pair.first), b = root_of(pair.second);
-  islands_[at(std::max(a, b))] = std::min(a, b);
+  join_sets(islands_, pair.first, pair.second);
 }
 
 }  // namespace rigor

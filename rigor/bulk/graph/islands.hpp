@@ -41,7 +41,6 @@ class BulkIslands {
   void update();
   void dissolve_those_that_lost();
   void join(const Pair& pair);
-  int root_of(int body);
 
   std::vector<bool> is_dynamic_;
   std::vector<Pair> lasting_;       ///< Pairs of dynamic bodies that joints and springs hold together.

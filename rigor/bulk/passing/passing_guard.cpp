@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -115,26 +114,7 @@ void PassingGuard::find_groups() {
   has_jointed_ = !model_->joints().empty();
   may_need_parts_ = has_driven() || has_jointed_;
   // Bodies that joints connect move together.
-  is_jointed_.assign(turning_.size(), 0);
-  group_.resize(turning_.size());
-  std::iota(group_.begin(), group_.end(), 0);
-  const auto root_of = [&](int body) {
-    while (group_[at(body)] != body) body = group_[at(body)];
-    return body;
-  };
-  for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
-    int first = -1;
-    for (const int body : model_->bodies_of_joint(j)) {
-      if (model_->body(body).motion != MotionType::dynamic) continue;
-      is_jointed_[at(body)] = 1;
-      // The lower root stands for both groups, so that the numbers do not depend on the order of joints.
-      if (first < 0) first = body;
-      const int a = root_of(first), b = root_of(body);
-      group_[at(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  // From now on each body knows its root itself.
-  for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
+  jointed_.find(*model_);
 }
 
 void PassingGuard::begin(const BulkBodies& bodies, double h) {
@@ -164,7 +144,7 @@ bool PassingGuard::bends(int body, const BulkBodies& bodies) const {
 /// Where the body is after the part t of what it may go of its way.
 BodyDisplacement PassingGuard::point_at(int body, double t, const BulkBodies& bodies) const {
   const MotionRecord& m = bodies.motion[at(body)];
-  const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+  const double share = bodies.is_dynamic(body) ? shares_[at(jointed_.groups()[at(body)])] : 1;
   if (bends(body, bodies)) return paths_.point(body, share * t);
   return {share * t * vector_of(m.dp), rotation_exp(share * t * vector_of(m.dr))};
 }
@@ -187,7 +167,8 @@ FreePath PassingGuard::free_share_of_bent(const FarPair& pair, const BulkBodies&
   std::vector<double> times = {0, 1};
   for (const int body : {pair.body_A, pair.body_B}) {
     if (!bends(body, bodies)) continue;
-    for (int k = 1; k < substeps_; ++k) times.push_back(k / (substeps_ * shares_[at(group_[at(body)])]));
+    for (int k = 1; k < substeps_; ++k)
+      times.push_back(k / (substeps_ * shares_[at(jointed_.groups()[at(body)])]));
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -211,7 +192,7 @@ FreePath PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies)
   if (!may_meet(pair.body_A, pair.body_B, bodies)) return {1};
   const auto shape_of = [&](int body, int shape) {
     const MotionRecord& m = bodies.motion[at(body)];
-    const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+    const double share = bodies.is_dynamic(body) ? shares_[at(jointed_.groups()[at(body)])] : 1;
     return ShapePath{&model_->body(body).shapes[at(shape)],
                      {bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]},
                      share * vector_of(m.dp),
@@ -230,7 +211,7 @@ bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
   if (pair.overlaps) jams_.push_back({pair.body_A, pair.body_B, pair.share});
   for (const auto& [body, other] : {std::pair{pair.body_A, pair.body_B}, {pair.body_B, pair.body_A}}) {
     if (!bodies.is_dynamic(body)) continue;
-    const std::size_t group = at(group_[at(body)]);
+    const std::size_t group = at(jointed_.groups()[at(body)]);
     ++changes_[group];
     if (is_taken_along(body, other, bodies)) {
       take_along(body, other, pair.share, bodies);
@@ -243,7 +224,7 @@ bool PassingGuard::shorten(const FarPair& pair, BulkBodies& bodies) {
 
 /// Whether a body without joints goes on with a driven one that it meets.
 bool PassingGuard::is_taken_along(int body, int driver, const BulkBodies& bodies) const {
-  return bodies.is_dynamic(body) && is_jointed_[at(body)] == 0 && !bodies.is_dynamic(driver) &&
+  return bodies.is_dynamic(body) && !jointed_.contains(body) && !bodies.is_dynamic(driver) &&
          bodies.has_velocity(driver);
 }
 
@@ -251,7 +232,7 @@ bool PassingGuard::is_taken_along(int body, int driver, const BulkBodies& bodies
 void PassingGuard::take_along(int body, int driver, double share, BulkBodies& bodies) {
   MotionRecord& own = bodies.motion[at(body)];
   const MotionRecord& of_driver = bodies.motion[at(driver)];
-  double& own_share = shares_[at(group_[at(body)])];
+  double& own_share = shares_[at(jointed_.groups()[at(body)])];
   // Where they are when they meet, from where the body began.
   const Vec3 dp = share * own_share * vector_of(own.dp), dr = share * own_share * vector_of(own.dr);
   const Vec3 path = vector_of(of_driver.dp), turn = vector_of(of_driver.dr);
@@ -282,7 +263,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
   for (int round = 0; round < most_rounds + most_rounds_of_rest; ++round) {
     const auto is_known = [&](const FarPair& pair) {
       const auto changed = [&](int body) {
-        const std::size_t k = at(group_[at(body)]);
+        const std::size_t k = at(jointed_.groups()[at(body)]);
         return !before.empty() && before[k] != changes_[k];
       };
       return pair.is_checked && !changed(pair.body_A) && !changed(pair.body_B);
@@ -308,7 +289,7 @@ const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<S
   }
 
   for (int i = 0; i < bodies.count(); ++i) {
-    const double share = shares_[at(group_[at(i)])];
+    const double share = shares_[at(jointed_.groups()[at(i)])];
     if (!bodies.is_dynamic(i) || share == 1) continue;
     MotionRecord& motion = bodies.motion[at(i)];
     // Joints hold on the ways that the substeps have taken, and not on their chords.

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/graph/islands.hpp"
+#include "rigor/bulk/graph/jointed_bodies.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/body_boxes.hpp"
 #include "rigor/bulk/passing/free_path.hpp"
@@ -56,7 +57,7 @@ class PassingGuard {
   /// After the displacements of each substep, `moving` being the bodies that it has displaced: jointed ones
   /// go on arcs.
   void note(const BulkBodies& bodies, const std::vector<int>& moving) {
-    if (has_jointed_) paths_.note(bodies, moving, is_jointed_);
+    if (has_jointed_) paths_.note(bodies, moving, jointed_.all());
   }
 
   /// A body that was stopped after this share of its displacement.
@@ -121,7 +122,7 @@ class PassingGuard {
   bool may_meet(int a, int b, const BulkBodies& bodies) const;
   BodyBoxes::Way way_of(int body, const BulkBodies& bodies) const;
   double share_of(int body, const BulkBodies& bodies) const {
-    return bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+    return bodies.is_dynamic(body) ? shares_[at(jointed_.groups()[at(body)])] : 1;
   }
   float find_reaches(const BulkBodies& bodies);
   float find_contacts(std::size_t pairs, const ManifoldList& manifolds);
@@ -165,8 +166,7 @@ class PassingGuard {
   std::vector<char> is_driven_;  ///< Whether each body is kinematic.
   int driven_ = 0;               ///< How many bodies are.
   int dynamic_ = 0;              ///< How many forces move in this step.
-  std::vector<int> group_;       ///< The lowest body that joints connect with each body.
-  std::vector<char> is_jointed_;
+  JointedBodies jointed_;
   /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.
   double least_thickness_ = std::numeric_limits<double>::infinity();
   double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].

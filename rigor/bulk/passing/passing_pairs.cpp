@@ -247,7 +247,7 @@ void PassingGuard::add_escaped(const std::vector<ShapePair>& pairs, double margi
 void PassingGuard::add_followers(const std::vector<ShapePair>& pairs, const std::vector<int>& before,
                                  const ManifoldList& manifolds, const BulkBodies& bodies) {
   for (int i = 0; i < bodies.count(); ++i) {
-    const std::size_t group = at(group_[at(i)]);
+    const std::size_t group = at(jointed_.groups()[at(i)]);
     if (!bodies.is_dynamic(i) || before[group] == changes_[group]) continue;
     sweep_boxes(bodies);
     for_near(i, [&](const ShapePair& pair) {

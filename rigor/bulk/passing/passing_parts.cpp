@@ -39,7 +39,7 @@ double PassingGuard::longest_part(const BulkBodies& bodies, const std::vector<Sh
       const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
       if (is_driven) part = std::min(part, part_of_driven(pair, is_A, bodies, part));
       // The way of a jointed body is an arc.
-      if (is_jointed_[at(body)] != 0)
+      if (jointed_.contains(body))
         part = std::min(part, substeps_ * most_turn_a_substep / spin_near(body, pair, bodies, part));
     }
   }
@@ -59,7 +59,7 @@ void PassingGuard::mark_bent(const BulkBodies& bodies, const std::vector<ShapePa
   if (!has_jointed_) return;
   for (const ShapePair& pair : pairs) {
     for (const int body : {pair.body_A, pair.body_B}) {
-      if (is_jointed_[at(body)] != 0 && spin_near(body, pair, bodies, h) * h > most_turn) marks[at(body)] = 1;
+      if (jointed_.contains(body) && spin_near(body, pair, bodies, h) * h > most_turn) marks[at(body)] = 1;
     }
   }
 }
