@@ -61,6 +61,7 @@ void BulkWorld::add_impulse(int body, const Wrench& impulse) {
     motion.v[k] += static_cast<float>(dv[k]);
     motion.w[k] += static_cast<float>(dw[k]);
   }
+  bodies_.finer_v[at(body)] = {};
   set_momentum(*model_, body, bodies_);
   wake(body);
 }
@@ -88,6 +89,7 @@ void BulkWorld::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
     motion.v[k] = static_cast<float>(v_W[k]);
     motion.w[k] = static_cast<float>(w_W[k]);
   }
+  bodies_.finer_v[at(body)] = {};
   set_momentum(*model_, body, bodies_);
   wake(body);
 }
@@ -274,6 +276,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   s.displaced_alone.clear();
   for (const int body : s.outside_chains)
     if (!s.joints->displaces(body)) s.displaced_alone.push_back(body);
+  s.flight.begin(s.displaced_alone, s.touches, s.forces.accelerations(), h, settings_.substeps, bodies_);
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.balance.begin(bodies_);
   report.direct_islands = solve_directly(h);
@@ -303,6 +306,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
     std::copy(s.motion_before.begin(), s.motion_before.end(), bodies_.motion.begin());
     return std::nullopt;
   }
+  s.flight.end(s.executor, bodies_);
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
     s.balance.end(bodies_, s.forces.accelerations(), h, s.contacts, s.direct, report);
@@ -356,6 +360,7 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
     s.sleepers->settle(h, bodies_, memory_);
     report.sleeping_count = s.sleepers->count();
   }
+  s.flight.drop_changed(bodies_);
   report.broken_body = bodies_.find_broken();
   t_ += h;
 }

@@ -14,6 +14,7 @@
 #include "rigor/bulk/passing/passing_guard.hpp"
 #include "rigor/bulk/settled_impacts.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
+#include "rigor/bulk/state/flight_velocities.hpp"
 #include "rigor/bulk/state/held_bodies.hpp"
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/bulk/step_balance.hpp"
@@ -62,6 +63,7 @@ struct BulkWorld::Scratch {
   PassingGuard passing;
   StepBalance balance;
   StepForces forces;
+  FlightVelocities flight;
   std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
   std::vector<ShapePair> pairs;
   ManifoldList manifolds;

@@ -66,7 +66,8 @@ void StepBalance::begin(const BulkBodies& bodies) {
 Vec3 StepBalance::momentum(const BulkBodies& bodies) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < bodies.count(); ++i) {
-    if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v);
+    if (!is_booked(bodies, i)) continue;
+    sum += masses_[at(i)] * (vector_of(bodies.motion[at(i)].v) + vector_of(bodies.finer_v[at(i)].data()));
   }
   return sum;
 }

@@ -29,6 +29,16 @@ void turn_far(const float* s, float* r) {
   set_floats((angle + turn * std::round((along - angle) / turn)) / angle * shortest, r);
 }
 
+void split_velocity(double v, float& rounded, float& finer) {
+  // The upper 36 of 53 bits (Veltkamp's splitting), so that a product with a mass and a quotient by it, which
+  // change the last bits, have the same ones. Their rest after 24 bits is exact in 32.
+  constexpr double splitter = 0x1p17 + 1;
+  const double scaled = splitter * v;
+  const double upper = scaled - (scaled - v);
+  rounded = static_cast<float>(upper);
+  finer = static_cast<float>(upper - static_cast<double>(rounded));
+}
+
 BulkBodies read_bulk_bodies(const Model& model, const State& state) {
   const std::size_t count = at(model.body_count());
   BulkBodies bodies;
@@ -37,6 +47,7 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
   bodies.motion.resize(count);
   bodies.inertia.resize(count);
   bodies.L.resize(count, Vec3::Zero());
+  bodies.finer_v.resize(count);
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = at(i);
     bodies.x[k] = state.position(i);
@@ -47,6 +58,9 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
     set_floats(angular_velocity(model, state, i), bodies.motion[k].w);
     if (model.body(i).motion != MotionType::dynamic) continue;
     bodies.L[k] = state.angular_momentum(i);
+    const Vec3 v = linear_velocity(model, state, i);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      split_velocity(v[static_cast<Eigen::Index>(axis)], bodies.motion[k].v[axis], bodies.finer_v[k][axis]);
     bodies.motion[k].inv_mass = static_cast<float>(1 / model.body(i).mass);
     bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
   }
@@ -64,6 +78,7 @@ void read_changed_body(const Model& model, int body, double t, BulkBodies& bodie
   bodies.motion[k] = MotionRecord{};
   bodies.inertia[k] = InverseInertia{};
   bodies.L[k] = Vec3::Zero();
+  bodies.finer_v[k] = {};
   set_floats(motion.v_WB, bodies.motion[k].v);
   set_floats(motion.w_WB, bodies.motion[k].w);
   if (!is_dynamic) return;
@@ -76,7 +91,8 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
     const std::size_t k = at(i);
     const Body& body = model.body(i);
     const bool is_dynamic = body.motion == MotionType::dynamic;
-    const Vec3 P = is_dynamic ? Vec3(body.mass * vector_of(bodies.motion[k].v)) : Vec3(Vec3::Zero());
+    const Vec3 v = vector_of(bodies.motion[k].v) + vector_of(bodies.finer_v[k].data());
+    const Vec3 P = is_dynamic ? Vec3(body.mass * v) : Vec3(Vec3::Zero());
     const Quat& q = bodies.q[k];
     Vec3::Map(&state.x[3 * k]) = bodies.x[k];
     Vec4::Map(&state.q[4 * k]) = Vec4(q.w(), q.x(), q.y(), q.z());

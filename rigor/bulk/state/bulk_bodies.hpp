@@ -30,6 +30,12 @@ struct alignas(64) MotionRecord {
 /// linear, unused, angular, unused.
 using MotionRow = std::array<float, 8>;
 
+/// What a linear velocity has beyond its 32 bits, along W's axes [m/s].
+using FinerVelocity = std::array<float, 3>;
+/// A component of a velocity [m/s] as its 32 bits and twelve more: both are the same again if they are read
+/// from a momentum that was made of their sum.
+void split_velocity(double v, float& rounded, float& finer);
+
 /// A rotation vector of a body along W's axes, and one number more.
 using TiltRow = std::array<float, 4>;
 
@@ -94,6 +100,8 @@ struct BulkBodies {
   /// Angular momenta [kg m²/s] between two steps. The State holds these: angular velocities follow from them
   /// by a rounding that is not undone when they are computed back.
   std::vector<Vec3> L;
+  /// Of bodies in flight, between two steps; 0 of all others (FlightVelocities).
+  std::vector<FinerVelocity> finer_v;
   /// By what the arms of contacts are turned back in the step [rad] (ElasticTilts); empty if none is.
   std::vector<TiltRow> tilts;
 
@@ -113,8 +121,8 @@ struct BulkBodies {
   bool moves(int body) const { return is_dynamic(body) || has_velocity(body); }
 };
 
-/// Reads the bodies of a State: velocities are rounded to 32 bits; what is written and read again has the
-/// same bits.
+/// Reads the bodies of a State: angular velocities are rounded to 32 bits, linear ones to 36; what is written
+/// and read again has the same bits.
 BulkBodies read_bulk_bodies(const Model& model, const State& state);
 /// After a body of the Model has changed: it is where the Model has it at t = 0 with the velocities that it
 /// has there, if it is dynamic; else where it is to be at t [s].
