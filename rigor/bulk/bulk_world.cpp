@@ -272,7 +272,8 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains(h);
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
-  s.joints->prepare(bodies_, substep, s.executor);
+  s.joints->prepare(bodies_, substep, s.executor, s.joint_impulses);
+  s.joints->raise_inertia(bodies_);
   s.displaced_alone.clear();
   for (const int body : s.outside_chains)
     if (!s.joints->displaces(body)) s.displaced_alone.push_back(body);

@@ -89,6 +89,10 @@ void SettledImpacts::settle(const Step& step, BulkJoints& joints, BulkContacts& 
 void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joints, BulkBodies& bodies) {
   motion_.assign(bodies.motion.begin(), bodies.motion.end());
   joints.keep_impulses();
+  for (const Struck& struck : struck_) {
+    if (struck.group == group) pull_joints(struck, step.executor, joints, bodies);
+  }
+  joints.raise_inertia(bodies);
   for (Struck& struck : struck_) {
     if (struck.group == group) struck.K = find_response(struck, step.executor, joints, bodies);
   }
@@ -114,8 +118,7 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
   }
   // Very heavy bodies on light ones do not come to an end so, and joints that contradict each other may let
   // rounds grow beyond all numbers: such groups are left as the sweeps have left them.
-  std::copy(motion_.begin(), motion_.end(), bodies.motion.begin());
-  joints.take_back_impulses([](int) { return true; });
+  take_back(joints, bodies);
   for (Struck& struck : struck_) {
     if (struck.group != group) continue;
     struck.added = {};
@@ -199,22 +202,48 @@ void SettledImpacts::list_struck(const HeldBodies& held, const BulkContacts& con
   });
 }
 
+/// Wrenches of the size of the impact, each along one axis: they give the bodies alone about its speed,
+/// rotations by the radius of gyration. 0 along axes that move nothing.
+Vec6 SettledImpacts::wrench_sizes(const SolvedManifold& manifold, const BulkBodies& bodies) {
+  const Mat6 alone = response_alone(manifold, bodies);
+  Vec6 sizes = Vec6::Zero();
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    if (!(alone(k, k) > 0)) continue;
+    const double radius = k < 3 ? 1 : std::sqrt(alone(0, 0) / alone(k, k));
+    sizes[k] = speed_of_impact(manifold) / (radius * alone(k, k));
+  }
+  return sizes;
+}
+
+/// Joints hold as tautly as an impact of this size pulls at them: light bodies between heavy ones would be
+/// thrown about by the least bend.
+void SettledImpacts::pull_joints(const Struck& struck, const Executor& executor, BulkJoints& joints,
+                                 BulkBodies& bodies) {
+  const SolvedManifold& manifold = struck.manifold;
+  if (!are_jointed(manifold.body_A, manifold.body_B)) return;
+  const Vec6 sizes = wrench_sizes(manifold, bodies);
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    for (const double sign : {-1.0, 1.0}) {
+      apply(manifold, sign * sizes[k] * Vec6::Unit(k), bodies);
+      joints.solve(JointPass::rates, executor);
+      joints.hold_tauter();
+      take_back(joints, bodies);
+    }
+  }
+}
+
 /// What the bodies of a contact, with all that joints hold to them, answer to a wrench: they are tried.
 Mat6 SettledImpacts::find_response(const Struck& struck, const Executor& executor, BulkJoints& joints,
                                    BulkBodies& bodies) {
   const SolvedManifold& manifold = struck.manifold;
-  Mat6 alone = response_alone(manifold, bodies);
-  if (!are_jointed(manifold.body_A, manifold.body_B)) return alone;
+  if (!are_jointed(manifold.body_A, manifold.body_B)) return response_alone(manifold, bodies);
   const Vec6 untouched = try_wrench(manifold, Vec6::Zero(), executor, joints, bodies);
-  const double speed = speed_of_impact(manifold);
+  const Vec6 sizes = wrench_sizes(manifold, bodies);
   Mat6 K = Mat6::Zero();
   for (Eigen::Index k = 0; k < 6; ++k) {
-    if (!(alone(k, k) > 0)) continue;
-    // A wrench that gives the bodies alone about the speed of the impact: rotations by their radius of
-    // gyration.
-    const double radius = k < 3 ? 1 : std::sqrt(alone(0, 0) / alone(k, k));
-    const double size = speed / (radius * alone(k, k));
-    K.col(k) = (try_wrench(manifold, size * Vec6::Unit(k), executor, joints, bodies) - untouched) / size;
+    if (!(sizes[k] > 0)) continue;
+    K.col(k) =
+        (try_wrench(manifold, sizes[k] * Vec6::Unit(k), executor, joints, bodies) - untouched) / sizes[k];
   }
   return 0.5 * (K + K.transpose());
 }
@@ -225,9 +254,13 @@ Vec6 SettledImpacts::try_wrench(const SolvedManifold& manifold, const Vec6& wren
   apply(manifold, wrench, bodies);
   joints.solve(JointPass::rates, executor);
   Vec6 u = motion_at(manifold, bodies);
+  take_back(joints, bodies);
+  return u;
+}
+
+void SettledImpacts::take_back(BulkJoints& joints, BulkBodies& bodies) const {
   std::copy(motion_.begin(), motion_.end(), bodies.motion.begin());
   joints.take_back_impulses([](int) { return true; });
-  return u;
 }
 
 /// Gives a contact what it lacks, or takes back what it did too much; whether that was more than rounding.

@@ -56,6 +56,9 @@ class SettledImpacts {
   double impulse_to_keep(const Struck& struck, const Step& step) const;
   void find_groups();
   void settle_group(int group, const Step& step, BulkJoints& joints, BulkBodies& bodies);
+  static Vec6 wrench_sizes(const SolvedManifold& manifold, const BulkBodies& bodies);
+  void take_back(BulkJoints& joints, BulkBodies& bodies) const;
+  void pull_joints(const Struck& struck, const Executor& executor, BulkJoints& joints, BulkBodies& bodies);
   Mat6 find_response(const Struck& struck, const Executor& executor, BulkJoints& joints, BulkBodies& bodies);
   Vec6 try_wrench(const SolvedManifold& manifold, const Vec6& wrench, const Executor& executor,
                   BulkJoints& joints, BulkBodies& bodies);

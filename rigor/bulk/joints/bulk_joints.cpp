@@ -27,8 +27,9 @@ struct BulkJoints::Blocks {
   std::vector<int> moved;                ///< A dynamic body of each joint.
   bool are_limits_new = false;           ///< Since the last step.
   using Impulses = std::array<FloatLanes, kMostJointRows>;
-  std::vector<Impulses> kept;  ///< Of all links, block after block: keep_impulses().
-  bool has_driven = false;     ///< Whether something that moves as it must holds a system.
+  std::vector<Impulses> kept;   ///< Of all links, block after block: keep_impulses().
+  std::vector<float> impulses;  ///< With which the step begins.
+  bool has_driven = false;      ///< Whether something that moves as it must holds a system.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -112,7 +113,7 @@ bool BulkJoints::is_free(int body) const {
 void BulkJoints::advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
                                              BulkBodies& bodies, const Executor& executor) {
   if (!blocks_->has_contact_free_chains) return;
-  const ContactFreeChains::Step step{blocks_->h, substeps, accelerations, blocks_->target};
+  const ContactFreeChains::Step step{blocks_->h, substeps, accelerations, blocks_->impulses, blocks_->target};
   executor.for_ranges(static_cast<int>(blocks_->blocks.size()), 1, [&](int begin, int end) {
     for (std::size_t i = at(begin); i < at(end); ++i) {
       const unsigned lanes = blocks_->blocks[i].free_lanes;
@@ -125,14 +126,19 @@ void BulkJoints::take_limits() {
   blocks_->are_limits_new = true;
 }
 
-void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor) {
+void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor,
+                         const std::vector<float>& impulses) {
+  // Of joints that came or went it is not known.
+  const bool are_known = impulses.size() == at(kMostJointRows) * blocks_->model->joints().size();
+  blocks_->impulses = are_known ? impulses : std::vector<float>();
   blocks_->h = static_cast<float>(h);
   if (blocks_->are_limits_new) {
     for (BulkJointBlock& block : blocks_->blocks) read_limits(*blocks_->model, block);
     blocks_->are_limits_new = false;
   }
-  blocks_->for_each(executor,
-                    [&](BulkJointBlock& block) { prepare_joint_block(blocks_->effort(), bodies, block); });
+  blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    prepare_joint_block(blocks_->effort(), blocks_->impulses, bodies, block);
+  });
   // Who is displaced with the joints.
   blocks_->has_driven = false;
   blocks_->is_displaced.assign(blocks_->blocks.empty() ? 0 : bodies.x.size(), 0);
@@ -147,7 +153,7 @@ void BulkJoints::solve(JointPass pass, const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
     if (!block.is_moving) return;
     if (pass == JointPass::rates) {
-      solve_after_displacements(blocks_->effort(), block);
+      solve_after_displacements(blocks_->effort(), false, block);
     } else {
       solve_before_displacements(blocks_->effort(), pass == JointPass::places_anew, block);
     }
@@ -160,7 +166,7 @@ void BulkJoints::solve_and_displace(BulkBodies& bodies, const Executor& executor
     solve_before_displacements(blocks_->effort(), true, block);
     if (block.is_driven) return;
     displace_bodies(blocks_->h, bodies, block);
-    solve_after_displacements(blocks_->effort(), block);
+    solve_after_displacements(blocks_->effort(), true, block);
   });
 }
 
@@ -171,7 +177,7 @@ bool BulkJoints::displaces(int body) const {
 void BulkJoints::solve_rates_of_driven(const Executor& executor) {
   if (!blocks_->has_driven) return;
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
-    if (block.is_moving && block.is_driven) solve_after_displacements(blocks_->effort(), block);
+    if (block.is_moving && block.is_driven) solve_after_displacements(blocks_->effort(), true, block);
   });
 }
 
@@ -193,6 +199,29 @@ void BulkJoints::take_back_impulses(const std::function<bool(int)>& is_wanted) {
         const int joint = block.lanes.systems.links[i].joints[at(lane)];
         if (joint < 0 || !is_wanted(joint)) continue;
         for (int r = 0; r < kMostJointRows; ++r) block.lanes.joints[i].impulse[r][lane] = before[at(r)][lane];
+      }
+    }
+  }
+}
+
+void BulkJoints::hold_tauter() {
+  for (BulkJointBlock& block : blocks_->blocks) {
+    if (block.is_moving) find_tauter(blocks_->h, block.lanes);
+  }
+}
+
+void BulkJoints::raise_inertia(BulkBodies& bodies) const {
+  for (const BulkJointBlock& block : blocks_->blocks) {
+    if (!block.is_moving || !block.lanes.is_taut) continue;
+    for (std::size_t s = 0; s < block.lanes.systems.moved; ++s) {
+      FloatSym3 W;
+      invert_raised(block.lanes, s, W);
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int body = block.lanes.systems.bodies[s][at(lane)];
+        if (body < 0 || !(block.lanes.taut_bodies[s].share[lane] > 0) || !bodies.is_dynamic(body)) continue;
+        InverseInertia& to = bodies.inertia[at(body)];
+        to.xx = W.xx[lane], to.yy = W.yy[lane], to.zz = W.zz[lane];
+        to.xy = W.xy[lane], to.xz = W.xz[lane], to.yz = W.yz[lane];
       }
     }
   }

@@ -25,9 +25,9 @@ enum class JointPass {
 /// loops or gears by a sparse factorisation. Derivation: docs/theory/bulk_joints.md.
 ///
 /// A step is prepare(), then for each substep: forces on the velocities, solve(places), displacements
-/// (dp += h v, turn_further()), solve(rates). Nothing is remembered from substep to substep or from step to
-/// step, and nothing of what joints have done to velocities may be done again in the next substep: joints
-/// turn.
+/// (dp += h v, turn_further()), solve(rates). Of a substep the next one knows by its impulses what is taut
+/// (taut_links.hpp), and nothing else; nothing of what joints have done to velocities may be done again in
+/// the next substep: joints turn.
 class BulkJoints {
  public:
   explicit BulkJoints(const Model& model, LaneTarget target = best_lane_target());
@@ -38,8 +38,10 @@ class BulkJoints {
   /// Limits of coordinates have changed in the Model; other numbers are read where they are used.
   void take_limits();
   /// At the beginning of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they
-  /// are in memory until its end.
-  void prepare(BulkBodies& bodies, double h, const Executor& executor);
+  /// are in memory until its end. `impulses`: those of the substep before, as read_impulses() gives them,
+  /// which tell what is taut; none if it is not known.
+  void prepare(BulkBodies& bodies, double h, const Executor& executor,
+               const std::vector<float>& impulses = {});
   /// Trees of ball joints without laws that touch nothing need not wait for the contacts between substeps.
   /// touches: whether each body may touch another in the step. Before prepare(), which leaves them out; none
   /// are free in steps for which this is not called.
@@ -63,6 +65,12 @@ class BulkJoints {
   void keep_impulses();
   /// ... and makes it that again for the joints for which is_wanted(joint): after trials.
   void take_back_impulses(const std::function<bool(int)>& is_wanted);
+  /// Raises the inertia of what the impulses of the last solve hold far more tautly than those before, until
+  /// the substep ends (taut_links.hpp).
+  void hold_tauter();
+  /// Raises the inertia with which contacts move the bodies that joints hold taut to that with which joints
+  /// do.
+  void raise_inertia(BulkBodies& bodies) const;
   /// Whether there are systems with loops.
   bool has_loops() const;
   /// Bound of the frequencies [rad/s] of the vibrations that the forces of the last substep hold in systems

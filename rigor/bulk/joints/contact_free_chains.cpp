@@ -2,11 +2,13 @@
 
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
 #include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
+#include "rigor/bulk/joints/taut_links.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace rigor {
 
@@ -60,6 +62,11 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
     }
   }
 
+  std::vector<int> joints_of(systems.bodies.size(), 0);
+  for (const JointLink& link : systems.links) {
+    if (link.has_joint) ++joints_of[at(link.child)], ++joints_of[at(link.parent)];
+  }
+
   // The joints: a link leads from the child of the same number to its parent.
   std::vector<bool> is_parent(systems.bodies.size());
   for (std::size_t i = 0; i < systems.links.size(); ++i) {
@@ -67,6 +74,7 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
     Joint& joint = tables_.joints[i];
 
     // The shape of the trees, which the eight lanes share.
+    joint.slack = float_lanes(std::numeric_limits<float>::infinity());
     joint.has_children = is_parent[i];
     joint.numbers = link.joints;
     if (!link.has_joint) continue;
@@ -92,6 +100,11 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
       };
       widen(i, arm_child);
       if (link.parent_is_free) widen(parent, arm_parent);
+      Slack slack;
+      slack.add_body(model.body(systems.bodies[i][lane]).moments, joints_of[i], arm_child);
+      if (link.parent_is_free)
+        slack.add_body(model.body(systems.bodies[parent][lane]).moments, joints_of[parent], arm_parent);
+      joint.slack[k] = static_cast<float>(slack.squared);
     }
   }
 }

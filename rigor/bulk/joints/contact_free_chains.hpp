@@ -33,6 +33,7 @@ class ContactFreeChains {
     float h;
     int substeps;
     const std::vector<MotionRow>& accelerations;
+    const std::vector<float>& impulses;  ///< Of all joints in a substep before, six numbers each, or none.
     LaneTarget target;
   };
   /// Advances the trees in the lanes of `lanes`, one bit each; the others stay as they are.
@@ -56,6 +57,7 @@ class ContactFreeChains {
   /// A body's joint on the way to the root.
   struct alignas(64) Joint {
     DoubleVec3 arm_child_B, arm_parent_B;   ///< Of the anchor, in the frames of the bodies [m].
+    FloatLanes slack;                       ///< Below which it makes nothing taut (Slack).
     FloatLanes sign;                        ///< 1 if the child is body B of the joint, else -1.
     std::array<int, kLaneCount> numbers{};  ///< In the Model; -1: none.
     int parent = -1;                        ///< Number of the slot; -1: a tree that floats.

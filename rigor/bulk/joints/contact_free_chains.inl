@@ -157,6 +157,23 @@ RIGOR_FLOAT_LANES void store_nodes(const FreeTables& tables, unsigned lanes,
   }
 }
 
+/// The impulses of the substep before, on the children.
+void place_impulses(const FreeTables& tables, const std::vector<float>& impulses,
+                    std::vector<FreeNode>& nodes) {
+  for (std::size_t i = 0; i < tables.joints.size(); ++i) {
+    FloatVec3 on_B = {splat(0), splat(0), splat(0)};
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int joint = tables.joints[i].numbers[at(lane)];
+      if (joint < 0 || impulses.empty()) continue;
+      const float* const own = &impulses[6 * at(joint)];
+      on_B.x[lane] = own[0];
+      on_B.y[lane] = own[1];
+      on_B.z[lane] = own[2];
+    }
+    nodes[i].impulse = tables.joints[i].sign * on_B;
+  }
+}
+
 void advance(const FreeTables& tables, const ContactFreeChains::Step& step, unsigned lanes,
              BulkBodies& bodies, std::vector<ContactFreeChains::Impulse>& impulses) {
   // The bodies are read once, ...
@@ -165,7 +182,9 @@ void advance(const FreeTables& tables, const ContactFreeChains::Step& step, unsi
   place_nodes(tables, bodies, nodes);
 
   // ... take all substeps, ...
-  const FreeStep work{tables, nodes, step.h};
+  place_impulses(tables, step.impulses, nodes);
+  TautTrees taut;
+  const FreeStep work{tables, nodes, taut, step.h};
   tables.are_of_revolution ? take_substeps<true>(step.substeps, work)
                            : take_substeps<false>(step.substeps, work);
 

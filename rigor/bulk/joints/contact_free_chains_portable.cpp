@@ -1,5 +1,6 @@
 #include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
 #include "rigor/bulk/joints/contact_free_chains.hpp"
+#include "rigor/bulk/joints/taut_links.hpp"
 #include "rigor/bulk/lanes/fused_floats.hpp"
 #include "rigor/bulk/lanes/lane_bits.hpp"
 #include "rigor/core/index.hpp"

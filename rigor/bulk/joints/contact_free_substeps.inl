@@ -7,10 +7,11 @@ constexpr float kLeastMiss = 4e-5F;
 /// A body, and the joint between it (the child) and its parent.
 struct alignas(32) FreeNode {
   FloatVec3 v, w, dp, dr;
-  FloatVec3 dv, dw;        ///< What forces change in a substep.
-  LaneRotation rotation;   ///< By h ω.
-  FloatVec3 axes[2];       ///< The first two principal axes.
-  FloatVec3 push, moment;  ///< Impulse that children give, and its moment about the centre of mass.
+  FloatVec3 free_v, free_w;  ///< Before joints hold.
+  FloatVec3 dv, dw;          ///< What forces change in a substep.
+  LaneRotation rotation;     ///< By h ω.
+  FloatVec3 axes[2];         ///< The first two principal axes.
+  FloatVec3 push, moment;    ///< Impulse that children give, and its moment about the centre of mass.
   FloatVec3 change_v, change_w;
   // Articulated inertia that children add to velocities v and ω: (M, B; Bᵀ, J), with the columns of Bᵀ.
   FloatSym3 M, J;
@@ -105,12 +106,16 @@ RIGOR_FLOAT_LANES FloatSym3 inertia_of(const ContactFreeChains::Body& body, cons
 /// anchor if the child rotates freely.
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void factor_free(const ContactFreeChains::Body& body, const FreeJoint& joint,
-                                   FreeNode& node) {
+                                   const FloatSym3* stiffening, FreeNode& node) {
   // The articulated inertia (M, B; Bᵀ, J) about the centre of mass: of the body and of all that hangs on it.
   const FloatLanes zero = splat(0);
   const FloatVec3& r = node.arm_child;
   FloatSym3 M = {body.mass, body.mass, body.mass, zero, zero, zero};
   FloatSym3 J = inertia_of<of_revolution>(body, node);
+  if (stiffening != nullptr) {
+    J = {J.xx + stiffening->xx, J.yy + stiffening->yy, J.zz + stiffening->zz,
+         J.xy + stiffening->xy, J.xz + stiffening->xz, J.yz + stiffening->yz};
+  }
   FloatVec3 B[3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
   if (joint.has_children) {
     M = {
@@ -212,10 +217,21 @@ RIGOR_FLOAT_LANES void miss_free(float h, const FloatLanes& part, const FreeNode
   node.wanted = (-part) * errors;
 }
 
+/// What of the trees joints hold taut (taut_links.hpp): nothing if there are no bodies.
+struct TautTrees {
+  std::vector<TautBody> bodies;
+  std::vector<TautLink> links;
+};
+
 struct FreeStep {
   const FreeTables& tables;
   std::vector<FreeNode>& nodes;
+  TautTrees& taut;
   float h;
+
+  const FloatSym3* stiffening(std::size_t i) const {
+    return taut.bodies.empty() ? nullptr : &taut.bodies[i].stiffening;
+  }
 
   RIGOR_FLOAT_LANES std::size_t moved() const { return tables.joints.size(); }
   RIGOR_FLOAT_LANES FreeNode* parent_of(std::size_t i) const {
@@ -224,13 +240,72 @@ struct FreeStep {
   }
 };
 
+/// Whether the last impulses may hold a body taut, in any lane.
+RIGOR_FLOAT_LANES bool is_any_taut(const FreeStep& step) {
+  IntLanes is_more = {};
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    const FloatVec3 f = splat(step.h) * step.nodes[i].impulse;
+    is_more |= fused_dot(f, f) > step.tables.joints[i].slack;
+  }
+  return bits_of(is_more) != 0;
+}
+
+/// How far the last impulses ask for raised inertia.
+template <bool of_revolution>
+RIGOR_FLOAT_LANES void stiffen_all(const FreeStep& step, TautTrees& taut) {
+  taut.bodies.resize(step.nodes.size(), TautBody{});
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    ContactFreeChains::Body inverse = step.tables.bodies[i];
+    for (FloatLanes& moment : inverse.moments) moment = splat(1) / moment;
+    taut.bodies[i].inverse_inertia = inertia_of<of_revolution>(inverse, step.nodes[i]);
+  }
+  taut.links.clear();
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    const FreeNode& node = step.nodes[i];
+    const int parent = step.tables.joints[i].parent;
+    if (parent < 0) continue;
+    taut.links.push_back({static_cast<int>(i), parent, node.impulse, node.arm_child, node.arm_parent});
+  }
+  stiffen(step.h, taut.links, taut.bodies);
+}
+
+/// Finds by the last impulses what is taut.
+template <bool of_revolution>
+RIGOR_FLOAT_LANES void find_taut(bool may_be, const FreeStep& step) {
+  step.taut.bodies.clear();
+  if (may_be) stiffen_all<of_revolution>(step, step.taut);
+}
+
+/// Whether the last impulses hold bodies more than twice as stiffly as what their inertia is raised for,
+/// which then is raised.
+template <bool of_revolution>
+RIGOR_FLOAT_LANES bool find_tauter(const FreeStep& step) {
+  TautTrees tauter;
+  stiffen_all<of_revolution>(step, tauter);
+  step.taut.bodies.resize(step.nodes.size(), TautBody{});
+  unsigned lanes = 0;
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    const FloatLanes* const I = step.tables.bodies[i].moments;
+    lanes |= raise(I[0] + I[1] + I[2], tauter.bodies[i], step.taut.bodies[i]);
+  }
+  return lanes != 0;
+}
+
+/// Damps the rotations of what is taut.
+RIGOR_FLOAT_LANES void calm_taut(const FreeStep& step) {
+  if (step.taut.bodies.empty()) return;
+  for (std::size_t s = 0; s < step.nodes.size(); ++s) step.taut.bodies[s].w = step.nodes[s].w;
+  calm(step.taut.links, step.taut.bodies);
+  for (std::size_t i = 0; i < step.moved(); ++i) step.nodes[i].w = step.taut.bodies[i].w;
+}
+
 /// Factors of all articulated inertias, from the leaves to the root.
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void factor_all(const FreeStep& step) {
   for (std::size_t i = 0; i < step.moved(); ++i) {
     const FreeJoint& joint = step.tables.joints[i];
     FreeNode& node = step.nodes[i];
-    factor_free<of_revolution>(step.tables.bodies[i], joint, node);
+    factor_free<of_revolution>(step.tables.bodies[i], joint, step.stiffening(i), node);
     if (joint.parent_is_free) add_to_parent(joint, node, *step.parent_of(i));
   }
 }
@@ -246,6 +321,20 @@ RIGOR_FLOAT_LANES void push_all(const FreeStep& step) {
                                                : change_by_newton(node.axes, body.ratios, node.w, step.h);
     node.v = node.v + node.dv;
     node.w = node.w + (node.dw + gyroscopic);
+    node.free_v = node.v;
+    node.free_w = node.w;
+    node.rotation = rotation_over(step.h, node.w);
+    node.impulse = {zero, zero, zero};
+  }
+}
+
+/// Back to before step 2.
+RIGOR_FLOAT_LANES void release_all(const FreeStep& step) {
+  const FloatLanes zero = splat(0);
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    FreeNode& node = step.nodes[i];
+    node.v = node.free_v;
+    node.w = node.free_w;
     node.rotation = rotation_over(step.h, node.w);
     node.impulse = {zero, zero, zero};
   }
@@ -275,6 +364,12 @@ RIGOR_FLOAT_LANES FloatLanes hold_all(const FreeStep& step, const FloatLanes& pa
   return left > splat(most * most) ? splat(1) : splat(0);
 }
 
+/// Step 2: a second correction where the first one leaves much.
+RIGOR_FLOAT_LANES void hold_places(const FreeStep& step) {
+  const FloatLanes again = hold_all(step, splat(1));
+  if (lane_bits(again > splat(0)) != 0) hold_all(step, again);
+}
+
 /// Step 3 for one body: where it is after the time h.
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void displace(float h, const FreeNode* parent, FreeNode& node) {
@@ -302,7 +397,7 @@ RIGOR_FLOAT_LANES void displace_all(const FreeStep& step) {
     FreeNode& node = step.nodes[i];
     FreeNode* const parent = step.parent_of(i);
     displace<of_revolution>(step.h, parent, node);
-    factor_free<of_revolution>(step.tables.bodies[i], joint, node);
+    factor_free<of_revolution>(step.tables.bodies[i], joint, step.stiffening(i), node);
     if (joint.parent_is_free) add_to_parent(joint, node, *parent);
   }
 }
@@ -328,15 +423,25 @@ RIGOR_FLOAT_LANES void slow_all(const FreeStep& step) {
 template <bool of_revolution>
 RIGOR_FLOAT_LANES void take_substeps(int count, const FreeStep& step) {
   // Factors where the bodies begin; bodies that joints do not move keep their rotation of a substep.
+  find_taut<of_revolution>(is_any_taut(step), step);
   factor_all<of_revolution>(step);
   for (std::size_t s = step.moved(); s < step.nodes.size(); ++s) {
     step.nodes[s].rotation = rotation_over(step.h, step.nodes[s].w);
   }
   for (int k = 0; k < count; ++k) {
     push_all<of_revolution>(step);
-    const FloatLanes again = hold_all(step, splat(1));
-    if (lane_bits(again > splat(0)) != 0) hold_all(step, again);
+    hold_places(step);
+    // A jerk pulls far more than the substep before did.
+    bool may_be_taut = is_any_taut(step);
+    if (may_be_taut && find_tauter<of_revolution>(step)) {
+      release_all(step);
+      factor_all<of_revolution>(step);
+      hold_places(step);
+      may_be_taut = is_any_taut(step);
+    }
+    find_taut<of_revolution>(may_be_taut, step);
     displace_all<of_revolution>(step);
+    calm_taut(step);
     // Rates do not change where bodies go, so they may wait until the last two substeps: the last but one, so
     // that the last impulse is that of a whole substep.
     if (k + 2 >= count) slow_all(step);

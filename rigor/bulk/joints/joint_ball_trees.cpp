@@ -66,9 +66,11 @@ RIGOR_FLOAT_LANES void hold_in_lanes(float h, JointBlock& block) {
 RIGOR_FLOAT_LANES void slow_in_lanes(JointBlock& block) {
   // Mass matrices where the bodies are.
   clear_pushes(block);
-  for (JointSlot& slot : block.slots) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    JointSlot& slot = block.slots[s];
     slot.rotation = lane_rotation(slot.dr);
     update_inertia(slot);
+    if (block.is_taut) add_stiffening(block.taut_bodies[s], slot.inertia);
     set_body_inertia(slot);
   }
 

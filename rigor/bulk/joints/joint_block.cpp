@@ -1,6 +1,7 @@
 #include "rigor/bulk/joints/joint_block.hpp"
 
 #include "rigor/bulk/joints/joint_gears.hpp"
+#include "rigor/bulk/joints/joint_tension.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -73,6 +74,30 @@ void set_all_masses(const Model& model, JointBlock& block) {
       const int index = block.systems.bodies[s][at(lane)];
       const Body* body = index < 0 ? nullptr : &model.body(index);
       set_masses(body, s < block.systems.moved, lane, block.slots[s]);
+    }
+  }
+}
+
+/// What joints can carry with nothing taut.
+void set_slack(const Model& model, JointBlock& block) {
+  std::vector<int> joints(block.slots.size(), 0);
+  for (const JointLink& link : block.systems.links) {
+    if (link.has_joint) ++joints[at(link.child)], ++joints[at(link.parent)];
+  }
+  for (std::size_t i = 0; i < block.joints.size(); ++i) {
+    const JointLink& link = block.systems.links[i];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      Slack slack;
+      if (holds_point_alone(link) && link.joints[at(lane)] >= 0) {
+        const Joint& joint = model.joint(link.joints[at(lane)]);
+        for (const int slot : {link.child, link.parent}) {
+          if (at(slot) >= block.systems.moved) continue;
+          const int body = block.systems.bodies[at(slot)][at(lane)];
+          const Vec3& arm = body == joint.body_A ? joint.X_AF.p : joint.X_BK.p;
+          slack.add_body(model.body(body).moments, joints[at(slot)], arm);
+        }
+      }
+      block.joints[i].slack[lane] = static_cast<float>(slack.squared);
     }
   }
 }
@@ -152,6 +177,21 @@ void place_joints(const Model& model, const BulkBodies& bodies,
   }
 }
 
+/// The impulses that hold points; those of trees that ContactFreeChains takes have no part in it.
+void place_impulses(const std::vector<float>& impulses, BulkJointBlock& block) {
+  if (impulses.empty()) return;
+  for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
+    const JointLink& link = block.lanes.systems.links[i];
+    if (!holds_point_alone(link)) continue;
+    FloatLanes* const to = block.lanes.joints[i].impulse;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      if (link.joints[at(lane)] < 0 || (block.free_lanes >> lane & 1) != 0) continue;
+      const float* const from = &impulses[at(kMostJointRows * link.joints[at(lane)])];
+      to[0][lane] = from[0], to[1][lane] = from[1], to[2][lane] = from[2];
+    }
+  }
+}
+
 /// The limits of a coordinate; infinite without a law, NaN where other laws act too.
 std::pair<double, double> limits_alone(const Model& model, int index, int axis) {
   constexpr double infinity = std::numeric_limits<double>::infinity(),
@@ -203,6 +243,7 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
   if (block.lanes.has_laws) block.before.resize(systems.moved, BulkJointBlock::Velocities{});
   block.lanes.systems = std::move(systems);
   set_all_masses(model, block.lanes);
+  set_slack(model, block.lanes);
   read_limits(model, block);
   return block;
 }
@@ -219,14 +260,21 @@ void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block) {
   for_moved_bodies(bodies, block, [&](int body) { displace(h, bodies.motion[at(body)]); });
 }
 
-void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
+void prepare_joint_block(const JointEffort& effort, const std::vector<float>& impulses, BulkBodies& bodies,
+                         BulkJointBlock& block) {
   find_records(bodies, block);
   if (!block.is_moving) return;
   // The inverse masses are those of the records, which round otherwise than these of make_joint_block.
   load_slots(block.records, effort.target, block.lanes);
   place_axes(bodies, block.lanes);
   place_joints(effort.model, bodies, block.frames, block.lanes);
+  block.lanes.is_taut = false;
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
+  // What was taut in the substep before is so in the first one.
+  place_impulses(impulses, block);
+  block.lanes.may_be_taut = may_be_taut(effort.h, block.lanes);
+  find_taut(effort.h, block.lanes);
+  if (block.lanes.is_taut) run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
   run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
   for (BulkJointBlock::Law& law : block.laws) {
     law.is_off = true;

@@ -63,11 +63,14 @@ struct JointEffort {
 };
 
 /// At the beginning of a step; the bodies stay where they are until its end.
-void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block);
+/// `impulses`: those of all joints in a substep before, six numbers each, or none.
+void prepare_joint_block(const JointEffort& effort, const std::vector<float>& impulses, BulkBodies& bodies,
+                         BulkJointBlock& block);
 /// What is solved before the displacements of a substep, and after them. `anew`: takes back first what joints
 /// have changed since the call of the same name before.
 void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block);
-void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block);
+/// (ends_substep: not if it is repeated, to hold what impacts change.)
+void solve_after_displacements(const JointEffort& effort, bool ends_substep, BulkJointBlock& block);
 /// Displaces the bodies that the block moves.
 void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block);
 /// Calls visit(body) for each of these.

@@ -1,6 +1,7 @@
 #include "rigor/bulk/joints/joint_block.hpp"
 
 #include "rigor/bulk/joints/joint_ball_trees.hpp"
+#include "rigor/bulk/joints/joint_tension.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -252,6 +253,41 @@ void solve_laws(const JointEffort& effort, Block& block) {
   end_laws(block);
 }
 
+void solve_places(const JointEffort& effort, Block& block) {
+  if (block.lanes.has_laws) {
+    solve_laws(effort, block);
+  } else if (block.lanes.is_of_balls) {
+    hold_balls(effort.h, effort.target, block.lanes);
+  } else {
+    correct(effort.h, effort.target, block);
+  }
+}
+
+/// With the inertia that the bodies have now, in the lanes of `lanes`; the others keep what they have.
+void solve_places_again(const JointEffort& effort, unsigned lanes, Block& block) {
+  const std::vector<JointSlot> slots = block.lanes.slots;
+  const std::vector<JointLanes> joints = block.lanes.joints;
+  begin_substep(true, block);
+  run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
+  factor(true, effort, block);
+  solve_places(effort, block);
+  block.lanes.may_be_taut = may_be_taut(effort.h, block.lanes);
+  for (int lane = 0; lane < kLaneCount; ++lane) {
+    if ((lanes >> lane & 1) != 0) continue;
+    const auto keep = [lane](const FloatVec3& from, FloatVec3& to) {
+      to.x[lane] = from.x[lane], to.y[lane] = from.y[lane], to.z[lane] = from.z[lane];
+    };
+    for (std::size_t s = 0; s < slots.size(); ++s) {
+      keep(slots[s].v, block.lanes.slots[s].v), keep(slots[s].w, block.lanes.slots[s].w);
+      keep(slots[s].made_v, block.lanes.slots[s].made_v), keep(slots[s].made_w, block.lanes.slots[s].made_w);
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      for (int r = 0; r < kMostJointRows; ++r)
+        block.lanes.joints[i].impulse[r][lane] = joints[i].impulse[r][lane];
+    }
+  }
+}
+
 }  // namespace
 
 // Step 2 of a substep.
@@ -260,20 +296,23 @@ void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointB
   load_slots(block.records, target, block.lanes);
   begin_substep(anew, block);
   if (block.lanes.has_laws) keep_velocities(block);
-  if (block.lanes.has_laws) {
-    solve_laws(effort, block);
-  } else if (block.lanes.is_of_balls) {
-    hold_balls(h, target, block.lanes);
-  } else {
-    correct(h, target, block);
-  }
+  solve_places(effort, block);
+  // Where a jerk pulls far more than the substep before did, inertia is raised for that, and all is solved
+  // again.
+  if (const unsigned tauter = find_tauter(h, block.lanes); tauter != 0)
+    solve_places_again(effort, tauter, block);
   store_slots(block.records, target, block.lanes);
 }
 
 // Step 4 of a substep, with the rows where the bodies are now; its factors serve step 2 of the next.
-void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block) {
+void solve_after_displacements(const JointEffort& effort, bool ends_substep, BulkJointBlock& block) {
   const auto& [model, h, target] = effort;
   load_slots(block.records, target, block.lanes);
+  // What step 2 has held tells what is taut.
+  if (ends_substep) {
+    find_taut(h, block.lanes);
+    calm_taut(block.lanes);
+  }
   if (block.lanes.is_of_balls) {
     slow_balls(target, block.lanes);
   } else {

@@ -73,6 +73,13 @@ RIGOR_FLOAT_LANES void update_inverse_inertia(JointSlot& slot) {
   slot.inverse_inertia = moments_in_W(slot, slot.inverse_moments);
 }
 
+/// What the inertia is raised by of a body that joints hold taut (taut_links.hpp).
+RIGOR_FLOAT_LANES void add_stiffening(const TautBody& taut, FloatSym3& inertia) {
+  const FloatSym3& S = taut.stiffening;
+  inertia = {inertia.xx + S.xx, inertia.yy + S.yy, inertia.zz + S.zz,
+             inertia.xy + S.xy, inertia.xz + S.xz, inertia.yz + S.yz};
+}
+
 /// Adds the changes of the last solve to the velocities of the body.
 RIGOR_FLOAT_LANES void add_change(JointSlot& slot) {
   const FloatVec3 v{slot.change[0], slot.change[1], slot.change[2]};

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/joints/joint_forest.hpp"
 #include "rigor/bulk/joints/joint_loop_solver.hpp"
+#include "rigor/bulk/joints/taut_links.hpp"
 #include "rigor/bulk/lanes/float_lanes.hpp"
 
 #include <array>
@@ -44,6 +45,7 @@ struct alignas(32) JointLanes {
   FloatVec3 offset;        ///< From F to K [m].
   FloatQuat J, K;          ///< Orientations of the joint's frames.
   FloatLanes length;       ///< Of a distance joint [m].
+  FloatLanes slack;        ///< Below which it makes nothing taut (Slack).
   FloatLanes parameter;    ///< Of the relation; per radian what is per turn.
 
   FloatVec3 n[kMostJointRows], a_A[kMostJointRows], a_B[kMostJointRows];
@@ -117,6 +119,11 @@ struct JointBlock {
   bool is_of_balls = false;        ///< Trees of ball joints without laws.
   bool is_position_error = false;  ///< Whether the residuals are those of places, not of rates.
   bool gives = false;              ///< Whether the next solve begins with the given impulses.
+  /// Whether the pull of joints makes bodies vibrate faster than substeps can follow; then, of all slots, by
+  /// how much their inertia is raised.
+  bool is_taut = false, may_be_taut = false;
+  std::vector<TautBody> taut_bodies;
+  std::vector<TautLink> taut_links;
 };
 
 /// Whether the rows need the orientations of the joint's frames: not those of a point or a distance.

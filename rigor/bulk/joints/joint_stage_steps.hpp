@@ -100,14 +100,28 @@ RIGOR_FLOAT_LANES void set_held_rates(const JointSides& sides, JointSize count, 
   for (int r = 0; r < count.held; ++r) joint.residual[r] = row_rate(sides, joint, r);
 }
 
+/// Of a body that joints hold taut.
+RIGOR_FLOAT_LANES void raise_inertia(const TautBody& taut, JointSlot& slot) {
+  add_stiffening(taut, slot.inertia);
+  FloatSym3& W = slot.inverse_inertia;
+  FloatSym3 raised;
+  invert(slot.inertia, raised);
+  // Lanes in which it is not taut keep their bits.
+  const IntLanes is_taut = taut.share > float_lanes(0);
+  W = {is_taut ? raised.xx : W.xx, is_taut ? raised.yy : W.yy, is_taut ? raised.zz : W.zz,
+       is_taut ? raised.xy : W.xy, is_taut ? raised.xz : W.xz, is_taut ? raised.yz : W.yz};
+}
+
 /// What a stage needs of the bodies before its joints.
 RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block) {
-  for (JointSlot& slot : block.slots) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    JointSlot& slot = block.slots[s];
     // Where the body is.
     if (stage == JointStage::aim) {
       slot.rotation = lane_rotation(slot.dr);
       update_inertia(slot);
       update_inverse_inertia(slot);
+      if (block.is_taut) raise_inertia(block.taut_bodies[s], slot);
     }
     // What it resists without its children.
     if (stage == JointStage::factor && !block.loops) set_body_inertia(slot);

@@ -101,14 +101,14 @@ double sway_of_taut_chain(double h_omega) {
   for (int i = 0; i < 8; ++i) run.set(i, Vec3(0, i % 2 == 0 ? 1e-3 : -1e-3, 0), Vec3::Zero());
   run.run(1, kStep, 1);
   double sway = 0;
-  for (const Vec3& x : run.bodies.x) sway = std::max(sway, std::abs(x.y()));
-  return std::isfinite(sway) ? sway : 1e9;
+  for (const Vec3& x : run.bodies.x) sway = std::isfinite(x.y()) ? std::max(sway, std::abs(x.y())) : 1e9;
+  return sway;
 }
 
-TEST(BulkJoints, StandTensionsWhoseFastestVibrationHasThreeSubsteps) {
-  // The limit of the method: h ω < 2.
-  EXPECT_LT(sway_of_taut_chain(1.5), 1e-3);
-  EXPECT_GT(sway_of_taut_chain(3), 1e-2);
+TEST(BulkJoints, StandTensionsHoweverFastTheirVibrations) {
+  // Explicit steps of vibrations with h ω > 2 would gain energy without bound.
+  for (const double rate : {0.5, 1.5, 3.0, 10.0, 100.0, 1000.0})
+    EXPECT_LT(sway_of_taut_chain(rate), 1e-3) << rate;
 }
 
 TEST(BulkJoints, BothTargetsOfLanesGiveTheSameBits) {

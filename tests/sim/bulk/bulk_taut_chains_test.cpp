@@ -1,0 +1,133 @@
+// Heavy bodies on chains of light ones: what they pull taut vibrates faster than substeps can follow.
+
+#include "random_vectors.hpp"
+#include "rigor/geometry/shape/shape.hpp"
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/bulk/bulk_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+namespace rigor::bulk_taut_chains_test {
+namespace {
+
+constexpr double gravity = 9.81, ball_radius = 0.3;
+
+struct Wrecker {
+  int links;
+  double length;     ///< Of a link [m].
+  double ball_mass;  ///< [kg].
+  double link_mass;  ///< [kg].
+  JointType joint;
+  int rows;  ///< Of bricks that the ball hits.
+  double scale() const { return ball_mass * gravity * (links * length + ball_radius); }  ///< [J].
+};
+
+/// A chain that is released from the horizontal with a ball at its end.
+std::shared_ptr<const Model> build(const Wrecker& own) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -gravity));
+  builder.add_body({.name = "floor", .motion = MotionType::fixed, .shapes = {{HalfSpace{Vec3::UnitZ(), 0}}}});
+  const Vec3 hook(0, 0, own.links * own.length + ball_radius + 0.6);
+  for (int k = 0; k <= own.links; ++k) {
+    const bool is_ball = k == own.links;
+    const std::string name = "l" + std::to_string(k);
+    BodyDescription body;
+    body.name = name;
+    body.p_WU = hook - Vec3(0, k * own.length + (is_ball ? ball_radius : own.length / 2), 0);
+    body.q_WU = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
+    body.mass = is_ball ? own.ball_mass : own.link_mass;
+    if (is_ball) {
+      body.shapes = {{Sphere{ball_radius}}};
+    } else {
+      body.shapes = {{Capsule{0.1 * own.length, 0.3 * own.length}}};
+    }
+    builder.add_body(body);
+    ModelBuilder::JointDescription joint;
+    joint.name = "j" + name;
+    joint.type = own.joint;
+    joint.bodies = {k == 0 ? "world" : "l" + std::to_string(k - 1), name};
+    joint.anchors = {hook - Vec3(0, k * own.length, 0)};
+    if (own.joint == JointType::hinge) joint.axis = Vec3::UnitX();
+    builder.add_joint(joint);
+  }
+  for (int row = 0; row < own.rows; ++row) {
+    for (int k = -1; k <= 1; ++k) {
+      BodyDescription brick;
+      brick.name = "b" + std::to_string(row) + "_" + std::to_string(k);
+      brick.p_WU = Vec3(0.5 * k, 0.35, 0.3 * row + 0.15);
+      brick.shapes = {{Box{Vec3(0.25, 0.15, 0.15)}}};
+      brick.density = 1000;
+      builder.add_body(brick);
+    }
+  }
+  return builder.build();
+}
+
+/// Changes of the energy against that of the beginning, sampled until `time` [s], as parts of the scene's
+/// scale; infinite if the run ends early.
+struct Change {
+  double rise = 0, last = 0;
+};
+Change energy_change(const Wrecker& own, double step, double time) {
+  const std::shared_ptr<const Model> model = build(own);
+  const Environment environment(*model);
+  State state = make_initial_state(*model);
+  const double start = mechanical_energy(*model, environment, state).total();
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  method.solver = SolverMethod::substep;
+  BulkStepper stepper(model, method, step, 1);
+  Change change;
+  for (int k = 1; k <= 20; ++k) {
+    if (stepper.advance(state, k * time / 20).reason != StopReason::reached_end) return {1e9, 1e9};
+    change.last = (mechanical_energy(*model, environment, state).total() - start) / own.scale();
+    change.rise = std::max(change.rise, change.last);
+  }
+  return change;
+}
+
+/// most_ratio: of the ball and a link, as a power of ten.
+Wrecker random_wrecker(test::Random& random, int rows, double most_ratio) {
+  const double ball_mass = std::pow(10, random.uniform(1, 4));
+  return {.links = 2 + static_cast<int>(random.uniform(0, 8)),
+          .length = random.uniform(0.1, 0.3),
+          .ball_mass = ball_mass,
+          .link_mass = ball_mass / std::pow(10, random.uniform(2, most_ratio)),
+          .joint = random.uniform(0, 1) < 0.5 ? JointType::ball : JointType::hinge,
+          .rows = rows};
+}
+
+TEST(BulkTautChains, SwingAsPendulumsDo) {
+  test::Random random(31);
+  for (int k = 0; k < 12; ++k) {
+    const Wrecker own = random_wrecker(random, 0, 5);
+    const double step = random.uniform(0.005, 0.0167);
+    SCOPED_TRACE(testing::Message() << own.links << " links, 1:" << own.ball_mass / own.link_mass << ", "
+                                    << step);
+    const Change change = energy_change(own, step, 1.5);
+    // Steps that push before joints hold know the energy to h g v m, here h/6 and v <= 7 m/s.
+    EXPECT_LE(std::abs(change.last), 0.02);
+    EXPECT_LE(change.rise, 0.02);
+  }
+}
+
+TEST(BulkTautChains, StrikeWallsWithoutBreakingOut) {
+  test::Random random(32);
+  for (int k = 0; k < 24; ++k) {
+    const Wrecker own = random_wrecker(random, 3, 3.3);
+    const double step = random.uniform(0.005, 0.0167);
+    SCOPED_TRACE(testing::Message() << k << ": " << own.links << " links, 1:" << own.ball_mass / own.link_mass
+                                    << ", " << step);
+    EXPECT_LE(energy_change(own, step, 1.5).rise, 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace rigor::bulk_taut_chains_test
