@@ -39,9 +39,12 @@ RIGOR_FLOAT_LANES FreePlace place_of_slot(const std::array<std::int32_t, kLaneCo
   return {{lanes[0], lanes[1], lanes[2]}, {lanes[3], lanes[4], lanes[5]}, lanes[6]};
 }
 
-/// Axes, arms and gaps of the anchors at the beginning of a step.
-RIGOR_FLOAT_LANES void place_nodes(const FreeTables& tables, const BulkBodies& bodies,
+/// Axes, arms and gaps of the anchors at the beginning of a step. Whether one is more than substeps of h put
+/// back, so that a part is left out.
+RIGOR_FLOAT_LANES bool place_nodes(const FreeTables& tables, const BulkBodies& bodies, float h,
                                    std::vector<FreeNode>& nodes) {
+  bool approaches = false;
+  const float most = static_cast<float>(kApproachSpeed) * h;
   std::vector<FreePlace> places(tables.slots.size());
   for (std::size_t s = 0; s < places.size(); ++s) places[s] = place_of_slot(tables.slots[s], bodies);
   for (std::size_t i = 0; i < tables.joints.size(); ++i) {
@@ -63,7 +66,17 @@ RIGOR_FLOAT_LANES void place_nodes(const FreeTables& tables, const BulkBodies& b
     node.apart = rounded({(child.x.x - parent.x.x) + (arm_child.x - arm_parent.x),
                           (child.x.y - parent.x.y) + (arm_child.y - arm_parent.y),
                           (child.x.z - parent.x.z) + (arm_child.z - arm_parent.z)});
+    approaches = approaches || lane_bits(dot(node.apart, node.apart) > splat(most * most)) != 0;
   }
+  if (!approaches) return false;
+
+  // What is not much is seen as it is.
+  const FloatLanes zero = splat(0);
+  for (FreeNode& node : nodes) {
+    node.left_out = std::exchange(node.apart, {zero, zero, zero});
+    see_more(h, node);
+  }
+  return true;
 }
 
 std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodies& bodies) {
@@ -179,12 +192,12 @@ void advance(const FreeTables& tables, const ContactFreeChains::Step& step, unsi
   // The bodies are read once, ...
   std::vector<FreeNode> nodes(tables.slots.size());
   load_nodes(tables, step, lanes, bodies, nodes);
-  place_nodes(tables, bodies, nodes);
+  const bool approaches = place_nodes(tables, bodies, step.h, nodes);
 
   // ... take all substeps, ...
   place_impulses(tables, step.impulses, nodes);
   TautTrees taut;
-  const FreeStep work{tables, nodes, taut, step.h};
+  const FreeStep work{tables, nodes, taut, step.h, approaches};
   tables.are_of_revolution ? take_substeps<true>(step.substeps, work)
                            : take_substeps<false>(step.substeps, work);
 

@@ -1,3 +1,4 @@
+#include "rigor/bulk/joints/approach_speed.hpp"
 #include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
 #include "rigor/bulk/joints/contact_free_chains.hpp"
 #include "rigor/bulk/joints/taut_links.hpp"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "rigor/bulk/lanes/portable_begin.inl"
 

@@ -18,7 +18,8 @@ struct alignas(32) FreeNode {
   FloatVec3 B[3];
 
   FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
-  FloatVec3 apart;                  ///< From the anchor on the parent to that on the child [m].
+  FloatVec3 apart;                  ///< From the anchor on the parent to that on the child [m], ...
+  FloatVec3 left_out;               ///< ... but for this, which is put back later: as in JointApproach.
   FloatVec3 wanted;                 ///< Change of the anchor's velocity on the child against the parent.
   FloatVec3 impulse;                ///< On the child [N s].
   // Factors as in BallLanes.
@@ -223,11 +224,22 @@ struct TautTrees {
   std::vector<TautLink> links;
 };
 
+/// Before a substep: kApproachSpeed h more of what was left out is seen.
+RIGOR_FLOAT_LANES void see_more(float h, FreeNode& node) {
+  const FloatLanes length = float_sqrt(dot(node.left_out, node.left_out)),
+                   most = splat(static_cast<float>(kApproachSpeed) * h);
+  const FloatLanes part = length > most ? most / length : splat(1);
+  const FloatVec3 more = part * node.left_out;
+  node.apart = node.apart + more;
+  node.left_out = node.left_out - more;
+}
+
 struct FreeStep {
   const FreeTables& tables;
   std::vector<FreeNode>& nodes;
   TautTrees& taut;
   float h;
+  bool approaches;  ///< Whether anchors are farther apart than a substep puts back.
 
   const FloatSym3* stiffening(std::size_t i) const {
     return taut.bodies.empty() ? nullptr : &taut.bodies[i].stiffening;
@@ -445,5 +457,7 @@ RIGOR_FLOAT_LANES void take_substeps(int count, const FreeStep& step) {
     // Rates do not change where bodies go, so they may wait until the last two substeps: the last but one, so
     // that the last impulse is that of a whole substep.
     if (k + 2 >= count) slow_all(step);
+    if (!step.approaches) continue;
+    for (FreeNode& node : step.nodes) see_more(step.h, node);
   }
 }

@@ -20,11 +20,6 @@ BodyPlace place_of(const BulkBodies& bodies, int body) {
 
 namespace {
 
-/// A joint at the beginning of a step, in W.
-struct JointStart {
-  Vec3 arm_A, arm_B, offset;
-  Quat J, K;
-};
 JointStart start_of(const Joint& joint, const BulkJointBlock::Frames& frames, int lane,
                     const BulkBodies& bodies) {
   const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
@@ -37,15 +32,6 @@ JointStart start_of(const Joint& joint, const BulkJointBlock::Frames& frames, in
   return start;
 }
 
-void set_lane(const Vec3& a, int lane, FloatVec3& to) {
-  to.x[lane] = static_cast<float>(a.x());
-  to.y[lane] = static_cast<float>(a.y());
-  to.z[lane] = static_cast<float>(a.z());
-}
-void set_lane(const Quat& q, int lane, FloatQuat& to) {
-  to.w[lane] = static_cast<float>(q.w());
-  set_lane(Vec3(q.vec()), lane, to.v);
-}
 void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes& to) {
   set_lane(start.arm_A, lane, to.arm_A);
   set_lane(start.arm_B, lane, to.arm_B);
@@ -157,14 +143,18 @@ std::vector<BulkJointBlock::Frames> frames_of(const Model& model, const JointSys
 }
 
 /// Arms and frames of all joints at the beginning of the step; no law is on.
-void place_joints(const Model& model, const BulkBodies& bodies,
-                  const std::vector<BulkJointBlock::Frames>& frames, JointBlock& block) {
+void place_joints(const JointEffort& effort, const BulkBodies& bodies, BulkJointBlock& own) {
+  JointBlock& block = own.lanes;
+  own.approaches.clear();
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
     JointLanes& joint = block.joints[i];
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int index = block.systems.links[i].joints[at(lane)];
       if (index >= 0) {
-        set_lane(model.joint(index), start_of(model.joint(index), frames[i], lane, bodies), lane, joint);
+        const Joint& held = effort.model.joint(index);
+        const JointStart start = start_of(held, own.frames[i], lane, bodies);
+        set_lane(held, start, lane, joint);
+        note_approach(held, start, static_cast<int>(i), lane, static_cast<double>(effort.h), own.approaches);
       } else {
         joint.J.w[lane] = joint.K.w[lane] = 1;
       }
@@ -175,6 +165,7 @@ void place_joints(const Model& model, const BulkBodies& bodies,
     }
     joint.has_law_on = false;
   }
+  approach(static_cast<double>(effort.h), own.approaches, block);
 }
 
 /// The impulses that hold points; those of trees that ContactFreeChains takes have no part in it.
@@ -267,7 +258,7 @@ void prepare_joint_block(const JointEffort& effort, const std::vector<float>& im
   // The inverse masses are those of the records, which round otherwise than these of make_joint_block.
   load_slots(block.records, effort.target, block.lanes);
   place_axes(bodies, block.lanes);
-  place_joints(effort.model, bodies, block.frames, block.lanes);
+  place_joints(effort, bodies, block);
   block.lanes.is_taut = false;
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
   // What was taut in the substep before is so in the first one.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/bulk/joints/joint_approach.hpp"
 #include "rigor/bulk/joints/joint_laws.hpp"
 #include "rigor/bulk/joints/joint_stages.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
@@ -49,6 +50,7 @@ struct BulkJointBlock {
     LaneArray factored_on{}, factored_softness{};  ///< What the factors were made with.
   };
   std::vector<Law> laws;
+  std::vector<JointApproach> approaches;  ///< In this step, of joints that its bodies miss.
 };
 
 BulkJointBlock make_joint_block(const Model& model, JointSystems systems);

@@ -63,8 +63,10 @@ bool is_between(const Block::Law& law, const JointLanes& joint, int lane, double
   return law.lower[at(lane)] < next && next < law.upper[at(lane)];
 }
 
-/// The piece of a law in which the coordinate is; nothing of empty lanes.
-LawPiece find_piece(const Model& model, const Block& block, const Block::Law& law, int lane, double h) {
+/// The piece of a law in which the coordinate is, after a solve with pieces no farther than one from those;
+/// nothing of empty lanes.
+LawPiece find_piece(const Model& model, const Block& block, const Block::Law& law, int lane, bool is_solved,
+                    double h) {
   const JointLink& link = block.lanes.systems.links[at(law.link)];
   const JointLanes& lanes = block.lanes.joints[at(law.link)];
   const int index = link.joints[at(lane)];
@@ -79,10 +81,12 @@ LawPiece find_piece(const Model& model, const Block& block, const Block::Law& la
     return damping > 0 ? LawPiece{true, 0, 1 / (h * damping), 0, 0} : LawPiece{};
   }
 
-  // Where the line of the coordinate's own mobility through the present rate and impulse meets the law.
+  // Where the line of the coordinate's own mobility through the present rate and impulse meets the law. In a
+  // tree the coordinate gives way less than its two bodies alone, so that the line leads too far.
   const CoordinateMotion motion{lanes.coordinate[law.row][lane], lanes.rate[law.row][lane],
                                 lanes.mobility[law.row][lane], lanes.impulse[law.row][lane]};
-  return CoordinateLaw(joint, law.axis, motion, h).piece_at(motion.rate, motion.impulse);
+  const int from = is_solved ? law.pieces[at(lane)].place : -1;
+  return CoordinateLaw(joint, law.axis, motion, h).piece_towards(motion.rate, motion.impulse, from);
 }
 
 bool is_same(const LawPiece& a, const LawPiece& b) {
@@ -132,14 +136,14 @@ void factor(bool are_rows_new, const JointEffort& effort, Block& block) {
   if (!is_same) run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
 }
 
-/// Writes the pieces of all laws into the rows; whether one has changed.
-bool choose_pieces(const Model& model, double h, Block& block) {
+/// Writes the pieces of all laws into the rows; whether one has changed. `is_solved`: since the last choice.
+bool choose_pieces(const Model& model, double h, bool is_solved, Block& block) {
   bool has_changed = false;
   for (Block::Law& law : block.laws) {
     const bool is_off = is_free(block, law, h);
     if (is_off && law.is_off) continue;
     for (int lane = 0; lane < kLaneCount; ++lane) {
-      const LawPiece piece = is_off ? LawPiece{} : find_piece(model, block, law, lane, h);
+      const LawPiece piece = is_off ? LawPiece{} : find_piece(model, block, law, lane, is_solved, h);
       LawPiece& old = law.pieces[at(lane)];
       has_changed = has_changed || !is_same(piece, old);
       old = piece;
@@ -236,7 +240,7 @@ void solve_laws(const JointEffort& effort, Block& block) {
   // The first pieces follow from the rates before the solve.
   run_stage(JointStage::rates, h, target, block.lanes);
   begin_laws(block);
-  choose_pieces(model, h, block);
+  choose_pieces(model, h, false, block);
 
   for (int k = 0; k < kPieceChanges; ++k) {
     // Each solve begins where the first one did. Where limits act as after the last displacements, the
@@ -248,7 +252,7 @@ void solve_laws(const JointEffort& effort, Block& block) {
 
     // The pieces at the rates that it has found.
     run_stage(JointStage::rates, h, target, block.lanes);
-    if (k + 1 < kPieceChanges && !choose_pieces(model, h, block)) break;
+    if (k + 1 < kPieceChanges && !choose_pieces(model, h, true, block)) break;
   }
   end_laws(block);
 }
@@ -323,6 +327,7 @@ void solve_after_displacements(const JointEffort& effort, bool ends_substep, Bul
     run_stage(JointStage::solve, h, target, block.lanes);
   }
   store_slots(block.records, target, block.lanes);
+  approach(static_cast<double>(h), block.approaches, block.lanes);
 }
 
 }  // namespace rigor

@@ -9,9 +9,6 @@
 
 namespace rigor {
 
-namespace {
-
-/// What the joint holds of the displacement d from F to K, along the axes of F.
 Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
   const JointTraits& traits = joint_traits(joint.type);
   Vec3 held = Vec3::Zero();
@@ -19,8 +16,7 @@ Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
   for (int k = 0; k < 3; ++k) {
     if (traits.holds_displacement[at(k)]) held[k] = d[k];
   }
-  // What the relation misses stands where no component is held: along z of a screw, along x of a distance
-  // joint.
+  // What the relation misses.
   switch (traits.relation) {
     case JointRelation::none:
     case JointRelation::gear:
@@ -40,32 +36,35 @@ Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
   return held;
 }
 
-/// The angle of what the joint holds of the rotation [rad].
-double held_angle(JointType type, const Mat3& R_FK) {
+Vec3 held_turn(JointType type, const Quat& q_FK) {
   switch (joint_traits(type).held_rotation) {
     case LockedRotation::none:
       break;
     case LockedRotation::all:
-      // The whole angle.
-      return rotation_log(quaternion_of(R_FK)).norm();
-    case LockedRotation::swing:
-      // The angle between the two axes z.
-      return std::atan2(std::hypot(R_FK(0, 2), R_FK(1, 2)), R_FK(2, 2));
-    case LockedRotation::middle_angle:
+      return rotation_log(q_FK);
+    case LockedRotation::swing: {
+      // From the axis z of F to that of K.
+      const Vec3 z = q_FK * Vec3::UnitZ();
+      const double sine = std::hypot(z.x(), z.y()), angle = std::atan2(sine, z.z());
+      return sine > 0 ? Vec3(Vec3(-z.y(), z.x(), 0) * (angle / sine)) : Vec3(angle * Vec3::UnitX());
+    }
+    case LockedRotation::middle_angle: {
       // By how much z of F and x of K are not perpendicular.
-      return std::abs(std::asin(std::min(1.0, std::max(-1.0, R_FK(2, 0)))));
+      const Vec3 x = q_FK * Vec3::UnitX();
+      const double cosine = std::hypot(x.x(), x.y()), angle = std::atan2(x.z(), cosine);
+      return cosine > 0 ? Vec3(Vec3(x.y(), -x.x(), 0) * (angle / cosine)) : Vec3(angle * Vec3::UnitX());
+    }
   }
-  return 0;
+  return Vec3::Zero();
 }
-
-}  // namespace
 
 double joint_error(const Joint& joint, const Pose& X_WA, const Pose& X_WB, double lever) {
   const Pose X_FK = (X_WA * joint.X_AF).inverse() * (X_WB * joint.X_BK);
   // The twist about z is twice the angle of the part (w, z) of the quaternion.
   const Quat q_FK = quaternion_of(X_FK.R);
   const double twist = 2 * std::atan2(q_FK.z(), q_FK.w());
-  return std::hypot(held_displacement(joint, X_FK.p, twist).norm(), lever * held_angle(joint.type, X_FK.R));
+  return std::hypot(held_displacement(joint, X_FK.p, twist).norm(),
+                    lever * held_turn(joint.type, q_FK).norm());
 }
 
 }  // namespace rigor

