@@ -58,8 +58,9 @@ std::string body_text(const PeerBody& body) {
 /// The scene in MuJoCo's XML.
 std::string scene_text(const PeerScene& scene, MujocoSettings settings) {
   std::string text = "<mujoco>\n" + options_of(scene, settings);
-  // Room for twenty contacts a body, of three rows each.
-  const std::size_t contacts = 500 + 20 * scene.bodies.size();
+  // Room for eight contacts a body and more in small scenes, of three rows each: MuJoCo allocates a dense
+  // matrix of all rows, and of 300 bodies twenty are refused.
+  const std::size_t contacts = 500 + 8 * scene.bodies.size();
   text += fmt::format("<size nconmax=\"{}\" njmax=\"{}\"/>\n", contacts, 3 * contacts);
   text += fmt::format("<default><geom condim=\"{}\" friction=\"{:.17g} 0 0\" {}/></default>\n<worldbody>\n",
                       scene.friction > 0 ? 3 : 1, scene.friction, contact_of(scene, settings));

@@ -62,14 +62,15 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
   if (!solution.converged) ++report.fallbacks;
 }
 
-void ImpulseStep::strike(double h, Cluster& part, ImpactMemory& impacts, AdvanceReport& report) const {
+StepAccuracy ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
+                                 AdvanceReport& report) const {
   constexpr int most_passes = 50;
   std::vector<bool> struck(part.contacts.size(), false);
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
     // Which contacts close within h, and which of them bounce.
     const ContactSystem system = assembler_.assemble(part, part.contacts);
     Closing closing = find_closing(h, system, struck);
-    if (!closing.closes && !closing.bounces) return;
+    if (!closing.closes && !closing.bounces) break;
 
     // Those that bounce collide by the law of the method, as often as it takes.
     if (closing.bounces && pass + 1 < most_passes) {
@@ -84,6 +85,7 @@ void ImpulseStep::strike(double h, Cluster& part, ImpactMemory& impacts, Advance
     StepLaws laws = step_laws_of(system, still_);
     laws.contacts.b = std::move(closing.b);
     laws.resolution = resolution(h);
+    laws.accuracy = wanted;
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       if (!system.contacts[i].is_bounded_force()) continue;
       laws.contacts.b.segment<3>(normal_row(i) - 2).setZero();
@@ -96,8 +98,9 @@ void ImpulseStep::strike(double h, Cluster& part, ImpactMemory& impacts, Advance
     note(solution, report);
     const EnergyScope energy(EnergyAccount::plastic_impact, model_, part.bodies, part.phases, report);
     resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
-    return;
+    return solution.accuracy;
   }
+  return StepAccuracy::exact;
 }
 
 /// `struck`: the contacts that closed before in this step. They collide again with those that close now: one
@@ -348,25 +351,26 @@ double ImpulseStep::supply_of_push(const ContactSystemAssembler& assembler, cons
   return span.h / 6 * (4 * power(half) + power(end.phases) - 5 * power(free.phases));
 }
 
-std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& part, FreeMotionMemory& memory,
-                                            AdvanceReport& report) const {
+PartForces ImpulseStep::move(double h, double theta, StepAccuracy wanted, Cluster& part,
+                             FreeMotionMemory& memory, AdvanceReport& report) const {
   // The smooth motion without contacts.
   const StepSpan span{part.t, h, theta};
   const bool has_springs = holds_springs(span, part);
   const FreeMotion& free_motion = has_springs ? free_motion_without_springs_ : free_motion_;
   FreeEnd end = free_motion.fly(h, part, memory, report);
-  std::vector<ContactForce> forces;
+  PartForces forces;
 
   // The impulses of the whole step from one Coulomb problem, where contacts act.
   if (has_springs || (!part.contacts.empty() && !stays_clear(h, part, end))) {
     const ContactSystem system = middle_system(h, part, end);
     StepLaws laws = step_laws(h, part, system);
+    laws.accuracy = wanted;
     if (has_springs)
       laws.springs = springs_.rows(span, part.bodies, assembler_.assemble(part, part.contacts), system);
     const SpringRows springs = laws.springs.value_or(SpringRows{});
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
-    forces = forces_of(system, solution, h);
+    forces = {forces_of(system, solution, h), solution.accuracy};
     note_force_uncertainty(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
     const FreeEnd free = end;

@@ -10,6 +10,12 @@
 
 namespace rigor {
 
+/// Forces of the contacts in a step, their impulses over h.
+struct PartForces {
+  std::vector<ContactForce> forces;
+  StepAccuracy accuracy = StepAccuracy::exact;
+};
+
 /// One step of connected bodies at the level of velocities and impulses (Moreau and Jean; Stewart and
 /// Trinkle): the smooth motion without contacts, exact in flight and integrated where joints and springs act,
 /// and on top of it the impulses of the whole step from one Coulomb problem. Derivation:
@@ -25,13 +31,14 @@ class ImpulseStep {
 
   /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
   /// they may still be apart by their gaps. Changes the momenta of the part. impacts: of the tries of this
-  /// step.
-  void strike(double h, Cluster& part, ImpactMemory& impacts, AdvanceReport& report) const;
+  /// step. Returns how accurate they are, where no more than `wanted` is asked for.
+  StepAccuracy strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
+                      AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows. memory: of the
-  /// tries of this step. Returns the forces of the contacts, their impulses over h.
-  std::vector<ContactForce> move(double h, double theta, Cluster& part, FreeMotionMemory& memory,
-                                 AdvanceReport& report) const;
+  /// tries of this step.
+  PartForces move(double h, double theta, StepAccuracy wanted, Cluster& part, FreeMotionMemory& memory,
+                  AdvanceReport& report) const;
 
  private:
   /// Contacts that close within a step, and those that touch.

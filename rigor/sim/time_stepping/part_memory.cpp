@@ -24,21 +24,23 @@ bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhas
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same_phase);
 }
 
-const MovedPart* PartMemory::find(double h, double theta, const Cluster& part) const {
+const MovedPart* PartMemory::find(double h, double theta, StepAccuracy accuracy, const Cluster& part) const {
   const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& other) {
-    return other.h == h && other.theta == theta && other.part.bodies == part.bodies &&
+    const bool is_accurate = accuracy == StepAccuracy::rough || other.moved.accuracy == StepAccuracy::exact;
+    return is_accurate && other.h == h && other.theta == theta && other.part.bodies == part.bodies &&
            are_same_contacts(other.part.contacts, part.contacts);
   });
   return known == known_.end() ? nullptr : &known->moved;
 }
 
-std::vector<const MovedPart*> PartMemory::moved(double h, double theta, const std::vector<Cluster>& parts,
-                                                const Move& move, const Executor& executor) {
+std::vector<const MovedPart*> PartMemory::moved(double h, double theta, StepAccuracy accuracy,
+                                                const std::vector<Cluster>& parts, const Move& move,
+                                                const Executor& executor) {
   // Which parts are known, and which have to be moved.
   std::vector<const MovedPart*> result;
   std::vector<std::size_t> fresh;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    result.push_back(find(h, theta, parts[i]));
+    result.push_back(find(h, theta, accuracy, parts[i]));
     if (result.back() == nullptr) fresh.push_back(i);
   }
 

@@ -3,6 +3,7 @@
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/report/advance_report.hpp"
+#include "rigor/sim/time_stepping/step_accuracy.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -17,6 +18,7 @@ struct MovedPart {
   std::vector<BodyPhase> end;     ///< One per body.
   std::vector<ContactForce> forces;
   AdvanceReport report;
+  StepAccuracy accuracy = StepAccuracy::exact;
 };
 
 /// Whether two lists of contacts, found at one instant, pose the same problem. What a model says of a pair,
@@ -39,10 +41,11 @@ class PartMemory {
     work_ = 0;
   }
   /// The parts, of which no two share a body, moved by h with the share theta as `move` does it. Only parts
-  /// that are not known are moved, side by side on the threads of the executor; the answer does not depend on
-  /// them. One pointer per part, valid until clear().
-  std::vector<const MovedPart*> moved(double h, double theta, const std::vector<Cluster>& parts,
-                                      const Move& move, const Executor& executor);
+  /// that are not known as accurately as this are moved, side by side on the threads of the executor; the
+  /// answer does not depend on them. One pointer per part, valid until clear().
+  std::vector<const MovedPart*> moved(double h, double theta, StepAccuracy accuracy,
+                                      const std::vector<Cluster>& parts, const Move& move,
+                                      const Executor& executor);
   /// Operations (count_work) of all parts moved since clear(), each once.
   std::uint64_t work() const { return work_; }
 
@@ -52,7 +55,7 @@ class PartMemory {
     Cluster part;
     MovedPart moved;
   };
-  const MovedPart* find(double h, double theta, const Cluster& part) const;
+  const MovedPart* find(double h, double theta, StepAccuracy accuracy, const Cluster& part) const;
 
   std::deque<Known> known_;
   std::uint64_t work_ = 0;

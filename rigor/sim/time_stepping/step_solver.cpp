@@ -7,6 +7,8 @@
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/solver/cones/convex_cone.hpp"
 #include "rigor/solver/cones/pyramid_cone.hpp"
+#include "rigor/solver/coulomb/coulomb_guess.hpp"
+#include "rigor/solver/coulomb/interior_point.hpp"
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"
 #include "rigor/solver/coulomb/static_friction.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
@@ -61,6 +63,22 @@ std::vector<ContactMode> modes_of_forces(const VecX& lambda, const std::vector<d
     modes.push_back(force.z() <= 0 ? ContactMode::open : slides ? ContactMode::slide : ContactMode::stick);
   }
   return modes;
+}
+
+/// Impulses near the solution, inside the cones; none of few contacts, which are solved as soon.
+std::optional<StepImpulses> rough_impulses(const MotionProblem& problem) {
+  // Fewer are solved as soon; in heaps of 100 mixed bodies 48 would cost a tenth of the run.
+  constexpr std::size_t fewest = 96;
+  // Of (the largest rate)² times a mass. With 1e-4 more exact tries show something new, with 1e-8 as many.
+  constexpr double gap = 1e-6;
+  if (problem.laws.mu.size() < fewest) return std::nullopt;
+  const std::optional<VecX> forces = interior_forces(problem.laws, SparseMotion(problem.rows), {.gap = gap});
+  if (!forces) return std::nullopt;
+  StepImpulses impulses;
+  impulses.lambda = clamp_to_cones(problem.laws, *forces);
+  impulses.modes = modes_of_forces(impulses.lambda, problem.laws.mu);
+  impulses.accuracy = StepAccuracy::rough;
+  return impulses;
 }
 
 /// A and b of contacts after the rows of springs are eliminated: the response of bodies on springs.
@@ -220,6 +238,9 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     const CoulombOptions options = options_for(laws.resolution);
     std::optional<CoulombSolution> solution;
     if (laws.start.size() > 0) solution = solve_from_forces(of_rows, laws.start, options);
+    if (!solution && laws.accuracy == StepAccuracy::rough && !has_joints) {
+      if (std::optional<StepImpulses> rough = rough_impulses(of_rows)) return *rough;
+    }
     if (!solution) solution = solve_in_motion_space(of_rows, {}, options);
     if (solution) return impulses_of(std::move(*solution));
   }

@@ -4,6 +4,7 @@
 #include "rigor/contact/system/contact_system.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/time_stepping/implicit_springs.hpp"
+#include "rigor/sim/time_stepping/step_accuracy.hpp"
 
 #include <optional>
 #include <vector>
@@ -23,6 +24,7 @@ struct StepLaws {
   VecX start;                             ///< Impulses that may be near the solution (3n), or none [N s].
   /// Accuracy of b [m/s]: contacts that contradict each other by less may hold together.
   double resolution = 0;
+  StepAccuracy accuracy = StepAccuracy::exact;  ///< That will do.
 };
 
 /// The laws of the system's contacts at its velocities, with b = u. Contacts that slip no faster than `still`
@@ -38,9 +40,13 @@ struct StepImpulses {
   double residual = 0;             ///< Relative, of the law of the cone that was chosen.
   int iterations = 0;
   bool converged = false;  ///< Residual at most 1e-10.
+  /// Rough ones have no residual.
+  StepAccuracy accuracy = StepAccuracy::exact;
 };
 
 /// Solves the contact problems of time stepping as `method.solver` and `method.cone` say: docs/methods.md.
+/// Where rough impulses will do, those of many contacts without joints are near the solution only, in a third
+/// of the time; all others are exact nevertheless.
 /// Contacts with two coefficients of friction: solve_static_friction.
 class StepSolver {
  public:

@@ -126,7 +126,8 @@ double TimeStepper::take_step(double h, State& state) {
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
-    trial = try_calmly(before, state, speculative);
+    // The first of them finds out by rough tries which contacts there are.
+    trial = try_calmly(before, state, k == 0 ? StepAccuracy::rough : StepAccuracy::exact, speculative);
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
     speculative.shorten(0.5 * trial->h);
   }
@@ -153,7 +154,7 @@ double TimeStepper::take_step(double h, State& state) {
 }
 
 /// A trial that adds no energy, if any form of a step does not.
-TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& state,
+TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& state, StepAccuracy accuracy,
                                            SpeculativeContacts& speculative) {
   constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
@@ -167,16 +168,16 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
   };
 
   // The form of second order, if it adds no energy; else the one that adds least.
-  Trial trial = with_gain(try_step(0.5, state, speculative));
+  Trial trial = with_gain(try_step(0.5, state, accuracy, speculative));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
-  Trial safe = with_gain(try_step(1, state, speculative));
+  Trial safe = with_gain(try_step(1, state, StepAccuracy::exact, speculative));
   // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
   for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
     low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
-    Trial level = with_gain(try_step(low, state, speculative));
+    Trial level = with_gain(try_step(low, state, StepAccuracy::exact, speculative));
     gain = level.gain;
     if (gain <= 0 && level.h == trial.h) return level;
   }
@@ -184,14 +185,22 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
 }
 
 /// A trial whose contacts were foreseen: tries before it have shown which ones act, and how long they do.
-TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, SpeculativeContacts& speculative) {
-  constexpr int patient_tries = 20, most_tries = 60;
+/// With many contacts the first tries are rough, until they show nothing new; the step is always an exact
+/// one.
+TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, StepAccuracy accuracy,
+                                         SpeculativeContacts& speculative) {
+  constexpr int rough_tries = 12, patient_tries = 20, most_tries = 60;
   for (int k = 0;; ++k) {
     poll_interrupt();
     if (report_.step_work + work_of_step() > work_limit_) throw TooMuchWork();
-    Trial trial = try_once(theta, state, speculative);
+    if (k >= rough_tries) accuracy = StepAccuracy::exact;
+    Trial trial = try_once(theta, state, accuracy, speculative);
     const double h = trial.h;
     const NextTry next_try = learn(state, speculative, trial);
+    if (trial.is_rough) {
+      if (!next_try.is_new) accuracy = StepAccuracy::exact;
+      continue;
+    }
     double until = next_try.until;
     if ((!next_try.is_new && until == h) || k >= most_tries) {
       // Overlaps that cannot be put right came of a step that was too long.
@@ -206,7 +215,7 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Specu
 }
 
 /// Moves all bodies by one step, with the contacts that are foreseen.
-TimeStepper::Trial TimeStepper::try_once(double theta, const State& state,
+TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, StepAccuracy accuracy,
                                          const SpeculativeContacts& speculative) {
   constexpr std::uint64_t try_operations = 10;
   const Cluster start = cluster_in(state);
@@ -220,31 +229,34 @@ TimeStepper::Trial TimeStepper::try_once(double theta, const State& state,
   try_work_ += try_operations * (start.bodies.size() + trial.near.pairs.size());
   std::vector<Contact> contacts = trial.near.acting;
   add_stops(start, contacts);
-  move_parts(theta, start, contacts, trial);
+  move_parts(theta, accuracy, start, contacts, trial);
   return trial;
 }
 
 /// Moves the parts that these contacts join, each by itself.
-void TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
-                             Trial& trial) {
+void TimeStepper::move_parts(double theta, StepAccuracy accuracy, const Cluster& start,
+                             const std::vector<Contact>& contacts, Trial& trial) {
   trial.end.t = start.t + trial.h;
   trial.parts = connected_parts(start, contacts, environment_);
   const auto move = [&](Cluster moving) {
     MovedPart result;
-    impulses_.strike(trial.h, moving, impacts_, result.report);
+    const StepAccuracy of_impacts = impulses_.strike(trial.h, accuracy, moving, impacts_, result.report);
     result.struck = moving.phases;
-    result.forces = impulses_.move(trial.h, theta, moving, free_motions_, result.report);
+    PartForces step = impulses_.move(trial.h, theta, accuracy, moving, free_motions_, result.report);
+    result.forces = std::move(step.forces);
+    result.accuracy = std::min(of_impacts, step.accuracy);
     project_joints(moving, result.report);
     result.end = std::move(moving.phases);
     return result;
   };
-  trial.moved = moved_.moved(trial.h, theta, trial.parts, move, executor_);
+  trial.moved = moved_.moved(trial.h, theta, accuracy, trial.parts, move, executor_);
 
   // Entered in the order of the parts.
   for (std::size_t k = 0; k < trial.parts.size(); ++k) {
     const Cluster& part = trial.parts[k];
     const MovedPart& moved = *trial.moved[k];
     trial.report.add(moved.report);
+    trial.is_rough |= moved.accuracy == StepAccuracy::rough;
     trial.forces.insert(trial.forces.end(), moved.forces.begin(), moved.forces.end());
     for (const std::vector<BodyPhase>* phases : {&moved.struck, &moved.end})
       grow_reaches(*model_, environment_, trial.h, part.bodies, *phases, trial.reaches);

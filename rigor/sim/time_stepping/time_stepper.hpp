@@ -49,6 +49,7 @@ class TimeStepper : public FixedStepStepper {
     AdvanceReport report = {};
     std::vector<double> reaches;  ///< How far the points of each body have come, at most [m].
     NearContacts near;            ///< At the beginning.
+    bool is_rough = false;        ///< Whether some of its contact problems are solved roughly.
     bool is_as_far = false;       ///< Whether no body came farther than was foreseen.
     std::optional<std::vector<Contact>> at_end = {};  ///< Contacts there, where they were looked for.
     std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
@@ -69,10 +70,13 @@ class TimeStepper : public FixedStepStepper {
   double take_step(double h, State& state);
   double work_of_step() const { return static_cast<double>(moved_.work() + try_work_); }
   void take_gain(Trial& trial) const;
-  Trial try_calmly(const Energy& before, const State& state, SpeculativeContacts& speculative);
-  Trial try_step(double theta, const State& state, SpeculativeContacts& speculative);
-  Trial try_once(double theta, const State& state, const SpeculativeContacts& speculative);
-  void move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts, Trial& trial);
+  Trial try_calmly(const Energy& before, const State& state, StepAccuracy accuracy,
+                   SpeculativeContacts& speculative);
+  Trial try_step(double theta, const State& state, StepAccuracy accuracy, SpeculativeContacts& speculative);
+  Trial try_once(double theta, const State& state, StepAccuracy accuracy,
+                 const SpeculativeContacts& speculative);
+  void move_parts(double theta, StepAccuracy accuracy, const Cluster& start,
+                  const std::vector<Contact>& contacts, Trial& trial);
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
   NextTry learn(const State& state, SpeculativeContacts& speculative, Trial& trial);
   NextTry learn_from_path(const State& state, const Trial& trial, SpeculativeContacts& speculative);

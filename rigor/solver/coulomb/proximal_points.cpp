@@ -26,6 +26,8 @@ constexpr double kGrowth = 10;
 constexpr double kBoldRho = 1e3;
 // Points that begin near the solution may be as near as this.
 constexpr double kRhoNear = 1e4;
+// Where those from inside the cones end unsolved, nearer ones often do not.
+constexpr double kSecondRhoInside = 1e2;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their
 // rounding is still below what counts as solved.
@@ -38,10 +40,16 @@ constexpr double kLargestSlowRho = 1e6;
 constexpr double kRoughShare = 0.1;
 constexpr double kExactShare = 1e-3;
 
+/// Whether a search begins with what an interior point method finds.
+bool begins_inside(const CoulombProblem& laws, const ProximalPointOptions& options) {
+  return options.is_bold && options.start.size() == 0 && laws.mu.size() >= kFewestInside;
+}
+
 class ProximalPoints {
  public:
   ProximalPoints(const CoulombProblem& laws, const ContactMotion& motion,
-                 const std::function<double(const VecX&)>& size_of, const ProximalPointOptions& options)
+                 const std::function<double(const VecX&)>& size_of, const ProximalPointOptions& options,
+                 double rho_inside = kRhoNear)
       : laws_(laws),
         motion_(motion),
         size_of_(size_of),
@@ -51,7 +59,7 @@ class ProximalPoints {
         is_bold_(options.is_bold) {
     const Index count = static_cast<Index>(laws.mu.size());
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
-    if (is_bold_ && options.start.size() == 0 && laws.mu.size() >= kFewestInside) begin_inside();
+    if (begins_inside(laws, options)) begin_inside(rho_inside);
     if (options.is_near) rho_ = kRhoNear;
     v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
   }
@@ -104,11 +112,11 @@ class ProximalPoints {
   }
 
  private:
-  void begin_inside() {
+  void begin_inside(double rho) {
     const std::optional<VecX> inside = interior_forces(laws_, motion_);
     if (!inside) return;
     lambda_ = clamp_to_cones(laws_, *inside);
-    rho_ = kRhoNear;
+    rho_ = rho;
   }
 
   std::optional<ProximalPoint> next_point(double share) {
@@ -181,13 +189,25 @@ std::optional<CoulombSolution> solve_by_proximal_points(const CoulombProblem& la
                                                         const std::function<double(const VecX&)>& size_of,
                                                         const ProximalPointOptions& options) {
   std::optional<CoulombSolution> found = ProximalPoints(laws, motion, size_of, options).run();
-  if (!options.is_bold || (found && found->converged)) return found;
+  const auto is_solved = [&found] { return found && found->converged; };
+  const auto keep_better = [&found](std::optional<CoulombSolution> other) {
+    if (!found || (other && other->residual < found->residual)) found = std::move(other);
+  };
+  if (!options.is_bold || is_solved()) return found;
 
-  // Bold steps may lead to where no search gets on: once more from the beginning, without them.
+  // Bold steps may lead to where no search gets on. Of many contacts once more from inside, with nearer
+  // points: from nothing a search comes less far.
   ProximalPointOptions careful = options;
+  if (begins_inside(laws, options)) {
+    keep_better(ProximalPoints(laws, motion, size_of, options, kSecondRhoInside).run());
+    if (is_solved()) return found;
+    if (found) careful.start = found->lambda;
+  }
+
+  // Then without bold steps, of few contacts from the beginning.
   careful.is_bold = false;
-  std::optional<CoulombSolution> other = ProximalPoints(laws, motion, size_of, careful).run();
-  return !found || (other && other->residual < found->residual) ? other : found;
+  keep_better(ProximalPoints(laws, motion, size_of, careful).run());
+  return found;
 }
 
 }  // namespace rigor

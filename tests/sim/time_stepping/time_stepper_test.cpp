@@ -194,12 +194,13 @@ TEST(TrialPath, WhatSlidesIsClearToTheEndWhateverTheTimeIs) {
 TEST(PartMemory, MovesAPartOnceAsLongAsItIsTheSameProblem) {
   PartMemory memory;
   int moves = 0;
+  StepAccuracy wanted = StepAccuracy::exact, found = StepAccuracy::exact;
   const auto ask = [&](double h, double theta, const Cluster& part) {
     const auto move = [&](const Cluster& moving) {
       ++moves;
-      return MovedPart{moving.phases, moving.phases, {}};
+      return MovedPart{moving.phases, moving.phases, {}, {}, found};
     };
-    return memory.moved(h, theta, {part}, move, Executor(1)).front()->end[0].x;
+    return memory.moved(h, theta, wanted, {part}, move, Executor(1)).front()->end[0].x;
   };
   Cluster part{0, {1}, {{Vec3(1, 2, 3), Quat::Identity(), Vec3::Zero(), Vec3::Zero()}}, {}};
   for (int k = 0; k < 3; ++k) EXPECT_EQ(ask(0.01, 0.5, part), Vec3(1, 2, 3));
@@ -224,6 +225,47 @@ TEST(PartMemory, MovesAPartOnceAsLongAsItIsTheSameProblem) {
   memory.clear();
   ask(0.01, 0.5, part);
   EXPECT_EQ(moves, 7);
+
+  // An exact answer serves rough tries; a rough one does not serve exact tries.
+  wanted = StepAccuracy::rough;
+  ask(0.01, 0.5, part);
+  EXPECT_EQ(moves, 7);
+  memory.clear();
+  found = StepAccuracy::rough;
+  ask(0.01, 0.5, part);
+  ask(0.01, 0.5, part);
+  EXPECT_EQ(moves, 8);
+  wanted = found = StepAccuracy::exact;
+  ask(0.01, 0.5, part);
+  ask(0.01, 0.5, part);
+  EXPECT_EQ(moves, 9);
+}
+
+/// Boxes in layers that fall into each other, askew.
+std::shared_ptr<const Model> heap_of_boxes(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -9.81));
+  for (int k = 0; k < count; ++k) {
+    BodyDescription body =
+        test::stepping_body("b" + std::to_string(k), Box{Vec3(0.075, 0.06, 0.05)},
+                            Vec3(0.25 * (k % 3), 0.25 * (k / 3 % 3), 0.2 + 0.25 * (k / 9)));
+    body.q_WU = rotation_exp(Vec3(number(random), number(random), number(random)));
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+TEST(TimeStepper, ManyContactsAreForeseenByRoughTriesAndSolvedExactly) {
+  for (const unsigned seed : {1U, 2U}) {
+    const std::shared_ptr<const Model> model = heap_of_boxes(63, seed);
+    State state = make_initial_state(*model);
+    const AdvanceReport report = TimeStepper(model, stepping(), 0.01).advance(state, 0.5);
+    EXPECT_EQ(report.reason, StopReason::reached_end);
+    EXPECT_EQ(report.fallbacks, 0) << seed;
+    EXPECT_LE(report.max_residual, 1e-10) << seed;
+    EXPECT_LE(report.max_penetration, 1e-6) << seed;
+  }
 }
 
 /// Small heaps far apart: balls and boxes that fall into each other, askew.
