@@ -34,12 +34,23 @@ bool has_unknown_work(const Model& model) {
   return false;
 }
 
+/// Part of the energy by which steps may raise it. Forces push before joints hold, so that what swings on
+/// them has its energy to h g v m, and what swings on springs to h ω; the work of bodies that move as they
+/// must is known to first order.
+double energy_share(const Model& model) {
+  bool is_first_order = !model.joints().empty();
+  for (int i = 0; i < model.body_count(); ++i) is_first_order = is_first_order || is_kinematic(model, i);
+  for (const Force& force : model.forces())
+    is_first_order = is_first_order || std::holds_alternative<Spring>(force);
+  return is_first_order ? 1e-3 : 1e-4;
+}
+
 }  // namespace
 
 SchemePromises bulk_promises(const Model& model) {
   SchemePromises promises;
   promises.knows_work = !has_unknown_work(model);
-  promises.energy_share = 1e-3;
+  promises.energy_share = energy_share(model);
   // Its contacts push bodies that overlap apart, also upwards: no higher than the scene is long.
   const Environment environment(model);
   for (int i = 0; i < model.body_count(); ++i)

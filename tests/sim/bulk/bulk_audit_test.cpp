@@ -1,11 +1,13 @@
 // What the audit says of the many-body path.
 
 #include "rigor/bulk/bulk_world.hpp"
+#include "rigor/sim/bulk/bulk_promises.hpp"
 #include "rigor/sim/simulation.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -57,6 +59,42 @@ TEST(BulkAudit, SpringsOfContactsHoldHalfOfWhatSinkingGives) {
   // What sweeps have not solved yet lets it sink too far and come up again, by a little.
   EXPECT_LT(audit.max_increase, 0.05 * sunk);
   EXPECT_EQ(audit.report.max_iterations, 2 * BulkSettings{}.substeps);
+}
+
+/// Whether the run is said to gain energy.
+bool gains(const Audit& audit) {
+  return std::count(audit.broken.begin(), audit.broken.end(), Audit::Promise::energy) != 0;
+}
+
+TEST(BulkAudit, ATenthAsMuchEnergyMayRiseWhereNothingSwings) {
+  const auto share = [](ModelBuilder builder) { return bulk_promises(*builder.build()).energy_share; };
+  ModelBuilder plain = with_floor(0);
+  plain.add_body(test::stepping_body("a", Sphere{0.5}, Vec3(0, 0, 2)));
+  EXPECT_EQ(share(std::move(plain)), 1e-4);
+  ModelBuilder jointed = with_floor(0);
+  jointed.add_body(test::stepping_body("a", Sphere{0.5}, Vec3(0, 0, 2)));
+  ModelBuilder::JointDescription joint;
+  joint.name = "j";
+  joint.type = JointType::ball;
+  joint.bodies = {"world", "a"};
+  joint.anchors = {Vec3(0, 0, 3)};
+  jointed.add_joint(joint);
+  EXPECT_EQ(share(std::move(jointed)), 1e-3);
+}
+
+TEST(BulkAudit, WhatFallsForAMinuteGainsNoEnergy) {
+  // At 500 m/s gravity was rounded by a thousandth in each substep, always to the same side.
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -g));
+  builder.add_material({.name = "m"});
+  for (int i = 0; i < 5; ++i)
+    builder.add_body(test::stepping_body("b" + std::to_string(i), Sphere{0.5}, Vec3(2.0 * i, 0.1 * i, 0)));
+  const std::shared_ptr<const Model> model = builder.build();
+  const Audit audit = audit_of(model, 60);
+  EXPECT_FALSE(gains(audit));
+  // Steps by Euler's method take ½ m (g h)² each.
+  EXPECT_LE(audit.max_increase, 1e-6 * -audit.final.potential);
+  EXPECT_LE(audit.linear_momentum_error, 1e-6 * 5 * model->body(0).mass * 60 * g);
 }
 
 TEST(BulkAudit, ImpactsAreCountedOnceEach) {
