@@ -5,6 +5,7 @@
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/bulk/bulk_stepper.hpp"
 #include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/simulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace rigor::bulk_taut_chains_test {
@@ -115,6 +117,39 @@ TEST(BulkTautChains, SwingAsPendulumsDo) {
     // Steps that push before joints hold know the energy to h g v m, here h/6 and v <= 7 m/s.
     EXPECT_LE(std::abs(change.last), 0.02);
     EXPECT_LE(change.rise, 0.02);
+  }
+}
+
+/// Where the ball is after `time` [s].
+Vec3 ball_after(const std::shared_ptr<const Model>& model, const Method& method, double step, double time) {
+  RunSettings settings;
+  settings.duration = time;
+  settings.step = step;
+  settings.output_interval = time;
+  Vec3 x = Vec3::Zero();
+  const auto note = [&](const State& state, const AdvanceReport&, const Auditor&) {
+    x = state.position(model->body_count() - 1);
+    return true;
+  };
+  run_simulation(model, method, settings, std::nullopt, note);
+  return x;
+}
+
+TEST(BulkTautChains, CarryTheBallWhereEventsDo) {
+  test::Random random(33);
+  for (int k = 0; k < 6; ++k) {
+    const Wrecker own = random_wrecker(random, 0, 4);
+    const double step = random.uniform(0.005, 0.0167), time = 0.5;
+    SCOPED_TRACE(testing::Message() << own.links << " links, 1:" << own.ball_mass / own.link_mass);
+    const std::shared_ptr<const Model> model = build(own);
+    Method substep, events;
+    substep.scheme = Scheme::time_stepping;
+    substep.solver = SolverMethod::substep;
+    events.scheme = Scheme::event_driven;
+    const Vec3 x = ball_after(model, substep, step, time), exact = ball_after(model, events, 0.01, time);
+    // Steps of Euler's method are ahead by half a substep: h g t / 2.
+    EXPECT_LE((x - exact).norm(), 1.2 * step / 6 * gravity * time / 2);
+    EXPECT_GT((exact - model->body(model->body_count() - 1).p_WB).norm(), 0.5);
   }
 }
 
