@@ -21,6 +21,9 @@ namespace {
 constexpr int most_rounds = 16;
 constexpr double settled = 1e-5;
 
+/// Energies in between, while arms stay and inertia may be raised, are known to about this factor.
+constexpr double known_to = 2;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Directions in which joints leave less than this part of the mobility of the bodies alone are held: what is
@@ -89,6 +92,11 @@ void SettledImpacts::settle(const Step& step, BulkJoints& joints, BulkContacts& 
 void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joints, BulkBodies& bodies) {
   motion_.assign(bodies.motion.begin(), bodies.motion.end());
   joints.keep_impulses();
+  // What the bodies have, and what the impacts took: they cannot give back more.
+  double most = kinetic_energy(group, bodies);
+  for (const Struck& struck : struck_) {
+    if (struck.group == group) most += energy_taken(struck.manifold, bodies);
+  }
   for (const Struck& struck : struck_) {
     if (struck.group == group) pull_joints(struck, step.executor, joints, bodies);
   }
@@ -109,7 +117,7 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
       hold_joints(group, step.executor, joints, bodies);
     }
   }
-  if (!has_changed && are_finite(group, bodies)) {
+  if (!has_changed && kinetic_energy(group, bodies) <= known_to * most) {
     joints.take_back_impulses([&](int joint) {
       const std::vector<int> own = model_->bodies_of_joint(joint);
       return std::none_of(own.begin(), own.end(), [&](int body) { return group_[at(body)] == group; });
@@ -117,7 +125,7 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
     return;
   }
   // Very heavy bodies on light ones do not come to an end so, and joints that contradict each other may let
-  // rounds grow beyond all numbers: such groups are left as the sweeps have left them.
+  // rounds grow, also beyond all numbers: such groups are left as the sweeps have left them.
   take_back(joints, bodies);
   for (Struck& struck : struck_) {
     if (struck.group != group) continue;
@@ -126,14 +134,13 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
   }
 }
 
-/// Whether all velocities of a group are numbers.
-bool SettledImpacts::are_finite(int group, const BulkBodies& bodies) const {
-  for (std::size_t i = 0; i < group_.size(); ++i) {
-    const MotionRecord& motion = bodies.motion[i];
-    if (group_[i] == group && !(vector_of(motion.v).allFinite() && vector_of(motion.w).allFinite()))
-      return false;
+/// Of the bodies of a group [J].
+double SettledImpacts::kinetic_energy(int group, const BulkBodies& bodies) const {
+  double energy = 0;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (group_[at(i)] == group && bodies.is_dynamic(i)) energy += kinetic_energy_now(*model_, i, bodies);
   }
-  return true;
+  return energy;
 }
 
 /// Lets joints hold what they connect with bodies of a group.

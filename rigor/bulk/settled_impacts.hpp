@@ -63,7 +63,7 @@ class SettledImpacts {
   Vec6 try_wrench(const SolvedManifold& manifold, const Vec6& wrench, const Executor& executor,
                   BulkJoints& joints, BulkBodies& bodies);
   bool change_motion(Struck& struck, BulkBodies& bodies) const;
-  bool are_finite(int group, const BulkBodies& bodies) const;
+  double kinetic_energy(int group, const BulkBodies& bodies) const;
   void hold_joints(int group, const Executor& executor, BulkJoints& joints, BulkBodies& bodies) const;
 
   const Model* model_;
