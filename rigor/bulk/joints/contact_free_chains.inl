@@ -66,7 +66,7 @@ RIGOR_FLOAT_LANES bool place_nodes(const FreeTables& tables, const BulkBodies& b
     node.apart = rounded({(child.x.x - parent.x.x) + (arm_child.x - arm_parent.x),
                           (child.x.y - parent.x.y) + (arm_child.y - arm_parent.y),
                           (child.x.z - parent.x.z) + (arm_child.z - arm_parent.z)});
-    approaches = approaches || lane_bits(dot(node.apart, node.apart) > splat(most * most)) != 0;
+    approaches = approaches || lane_bits(fused_dot(node.apart, node.apart) > splat(most * most)) != 0;
   }
   if (!approaches) return false;
 

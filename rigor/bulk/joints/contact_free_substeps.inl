@@ -226,7 +226,7 @@ struct TautTrees {
 
 /// Before a substep: kApproachSpeed h more of what was left out is seen.
 RIGOR_FLOAT_LANES void see_more(float h, FreeNode& node) {
-  const FloatLanes length = float_sqrt(dot(node.left_out, node.left_out)),
+  const FloatLanes length = root(fused_dot(node.left_out, node.left_out)),
                    most = splat(static_cast<float>(kApproachSpeed) * h);
   const FloatLanes part = length > most ? most / length : splat(1);
   const FloatVec3 more = part * node.left_out;
