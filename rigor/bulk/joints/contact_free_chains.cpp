@@ -62,12 +62,8 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
     }
   }
 
-  std::vector<int> joints_of(systems.bodies.size(), 0);
-  for (const JointLink& link : systems.links) {
-    if (link.has_joint) ++joints_of[at(link.child)], ++joints_of[at(link.parent)];
-  }
-
   // The joints: a link leads from the child of the same number to its parent.
+  const std::vector<int> joints_of = joint_counts(systems);
   std::vector<bool> is_parent(systems.bodies.size());
   for (std::size_t i = 0; i < systems.links.size(); ++i) {
     const JointLink& link = systems.links[i];

@@ -66,10 +66,7 @@ void set_all_masses(const Model& model, JointBlock& block) {
 
 /// What joints can carry with nothing taut.
 void set_slack(const Model& model, JointBlock& block) {
-  std::vector<int> joints(block.slots.size(), 0);
-  for (const JointLink& link : block.systems.links) {
-    if (link.has_joint) ++joints[at(link.child)], ++joints[at(link.parent)];
-  }
+  const std::vector<int> joints = joint_counts(block.systems);
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
     const JointLink& link = block.systems.links[i];
     for (int lane = 0; lane < kLaneCount; ++lane) {

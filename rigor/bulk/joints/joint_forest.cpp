@@ -273,6 +273,14 @@ class LaneFiller {
 
 }  // namespace
 
+std::vector<int> joint_counts(const JointSystems& systems) {
+  std::vector<int> counts(systems.bodies.size(), 0);
+  for (const JointLink& link : systems.links) {
+    if (link.has_joint) ++counts[at(link.child)], ++counts[at(link.parent)];
+  }
+  return counts;
+}
+
 JointForest make_joint_forest(const Model& model) {
   // Systems with a joint that closes a loop, or with a gear, are no trees as a whole.
   const Branches branches = choose_branches(model);

@@ -39,6 +39,9 @@ struct JointSystems {
   bool has_loops = false;                  ///< Or gears: no tree.
 };
 
+/// How many joints the bodies of each slot have.
+std::vector<int> joint_counts(const JointSystems& systems);
+
 /// All joints of a model: those that hang together, whether by bodies or by gears, are one system.
 struct JointForest {
   std::vector<JointSystems> systems;  ///< Trees first.

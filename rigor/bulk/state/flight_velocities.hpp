@@ -3,7 +3,6 @@
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 
-#include <span>
 #include <vector>
 
 namespace rigor {

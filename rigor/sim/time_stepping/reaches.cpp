@@ -39,4 +39,8 @@ void grow_prescribed_reaches(const Model& model, double h, double t, std::vector
   }
 }
 
+double reach_between(const Body& body, const BodyPhase& from, const BodyPhase& to) {
+  return (to.x - from.x).norm() + body.bounding_radius * from.q.angularDistance(to.q);
+}
+
 }  // namespace rigor

@@ -15,4 +15,7 @@ void grow_reaches(const Model& model, const Environment& environment, double h,
 /// The same for bodies with prescribed motions, at their velocities at t [s].
 void grow_prescribed_reaches(const Model& model, double h, double t, std::vector<double>& reaches);
 
+/// How far a point of a body can have been moved from one phase to another [m].
+double reach_between(const Body& body, const BodyPhase& from, const BodyPhase& to);
+
 }  // namespace rigor

@@ -27,11 +27,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// How far a point of a body can have been moved from one phase to another [m].
-double displacement(const Body& body, const BodyPhase& from, const BodyPhase& to) {
-  return (to.x - from.x).norm() + body.bounding_radius * from.q.angularDistance(to.q);
-}
-
 /// A step has done more work than the call may.
 struct TooMuchWork {};
 
@@ -432,7 +427,7 @@ double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
       const int body = end.bodies[i];
       reaches[at(body)] =
           std::max(reaches[at(body)],
-                   2 * (largest + displacement(model_->body(body), before.phases[i], end.phases[i])));
+                   2 * (largest + reach_between(model_->body(body), before.phases[i], end.phases[i])));
     }
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
 

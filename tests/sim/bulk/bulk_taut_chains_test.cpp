@@ -3,13 +3,11 @@
 #include "random_vectors.hpp"
 #include "rigor/geometry/shape/shape.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/bulk/bulk_stepper.hpp"
-#include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/simulation.hpp"
+#include "sim/bulk/substep_energy.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -72,27 +70,10 @@ std::shared_ptr<const Model> build(const Wrecker& own) {
   return builder.build();
 }
 
-/// Changes of the energy against that of the beginning, sampled until `time` [s], as parts of the scene's
-/// scale; infinite if the run ends early.
-struct Change {
-  double rise = 0, last = 0;
-};
-Change energy_change(const Wrecker& own, double step, double time) {
-  const std::shared_ptr<const Model> model = build(own);
-  const Environment environment(*model);
-  State state = make_initial_state(*model);
-  const double start = mechanical_energy(*model, environment, state).total();
-  Method method;
-  method.scheme = Scheme::time_stepping;
-  method.solver = SolverMethod::substep;
-  BulkStepper stepper(model, method, step, 1);
-  Change change;
-  for (int k = 1; k <= 20; ++k) {
-    if (stepper.advance(state, k * time / 20).reason != StopReason::reached_end) return {1e9, 1e9};
-    change.last = (mechanical_energy(*model, environment, state).total() - start) / own.scale();
-    change.rise = std::max(change.rise, change.last);
-  }
-  return change;
+/// Changes of the energy, as parts of the scene's scale.
+test::EnergyChange energy_change(const Wrecker& own, double step, double time) {
+  const test::EnergyChange change = test::substep_energy_change(build(own), step, time);
+  return {change.rise / own.scale(), change.last / own.scale()};
 }
 
 /// most_ratio: of the ball and a link, as a power of ten.
@@ -113,7 +94,7 @@ TEST(BulkTautChains, SwingAsPendulumsDo) {
     const double step = random.uniform(0.005, 0.0167);
     SCOPED_TRACE(testing::Message() << own.links << " links, 1:" << own.ball_mass / own.link_mass << ", "
                                     << step);
-    const Change change = energy_change(own, step, 1.5);
+    const test::EnergyChange change = energy_change(own, step, 1.5);
     // Steps that push before joints hold know the energy to h g v m, here h/6 and v <= 7 m/s.
     EXPECT_LE(std::abs(change.last), 0.02);
     EXPECT_LE(change.rise, 0.02);
