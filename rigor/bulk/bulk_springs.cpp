@@ -19,6 +19,14 @@ BulkSprings::BulkSprings(const Model& model) : model_(&model) {
   }
 }
 
+void BulkSprings::mark_bodies(std::vector<char>& marks) const {
+  for (const Spring& spring : springs_) {
+    for (const int body : {spring.body_A, spring.body_B}) {
+      if (body != world_body) marks[at(body)] = 1;
+    }
+  }
+}
+
 BulkSprings::Place BulkSprings::begin_of(const Spring& spring, const BulkBodies& bodies) const {
   const auto is_world = [](int body) { return body == world_body; };
   const auto arm_of = [&](int body, const Vec3& p) {

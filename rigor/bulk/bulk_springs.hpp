@@ -20,6 +20,8 @@ class BulkSprings {
   /// Adds to the changes of the velocities per second, which are those of all other forces, what the springs
   /// change in a step of h [s].
   void add(const BulkBodies& bodies, double h, int substeps, std::vector<MotionRow>& accelerations) const;
+  /// Sets the marks of the bodies, by body, that springs hold.
+  void mark_bodies(std::vector<char>& marks) const;
 
  private:
   /// Changes of velocities per second, linear first: forces on light bodies cancel up to a small rest.

@@ -274,6 +274,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
   s.joints->prepare(bodies_, substep, s.executor, s.joint_impulses);
   s.joints->raise_inertia(bodies_);
+  s.half_kicks.find(s.outside_chains, s.touches, bodies_, *s.joints);
   s.displaced_alone.clear();
   for (const int body : s.outside_chains)
     if (!s.joints->displaces(body)) s.displaced_alone.push_back(body);
@@ -283,6 +284,9 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, whole / settings_.substeps, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
+  const HalfKicks::Kick kick{static_cast<float>(substep), s.forces.accelerations(), s.gyroscopic_terms,
+                             s.turns};
+  s.half_kicks.begin(kick, *s.joints, s.executor, bodies_);
   // Chains that touch nothing need no contacts and take all of their substeps at once.
   s.joints->advance_contact_free_chains(s.forces.accelerations(), settings_.substeps, bodies_, s.executor);
   // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
@@ -296,6 +300,7 @@ std::optional<BulkStepReport> BulkWorld::take_step(double h, double whole, doubl
     s.passing.note(bodies_, s.outside_chains);
     s.contacts.add_up(s.executor);
   }
+  s.half_kicks.end(kick, *s.joints, s.executor, bodies_);
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
   if (s.held.are_any()) load_joints_of_held();
   if (s.contacts.has_restitution()) bounce_apart();

@@ -38,7 +38,7 @@ void BulkWorld::find_contacts(double h) {
   s.hidden_sides.take_out(*model_, bodies_, s.pairs, s.manifolds);
 }
 
-/// Marks the bodies that have manifolds: only they need inertia in W.
+/// Marks the bodies that have manifolds, which need inertia in W, and those on springs.
 void BulkWorld::find_touching_bodies() {
   Scratch& s = *scratch_;
   s.touches.assign(bodies_.x.size(), 0);
@@ -46,6 +46,7 @@ void BulkWorld::find_touching_bodies() {
     const ShapePair& pair = s.pairs[at(s.manifolds.pair(i))];
     s.touches[at(pair.body_A)] = s.touches[at(pair.body_B)] = 1;
   }
+  s.forces.mark_bodies_on_springs(s.touches);
 }
 
 }  // namespace rigor

@@ -8,6 +8,7 @@
 #include "rigor/bulk/contacts/energy_bound.hpp"
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
+#include "rigor/bulk/half_kicks.hpp"
 #include "rigor/bulk/joints/bulk_joints.hpp"
 #include "rigor/bulk/narrow_phase/hidden_sides.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
@@ -64,13 +65,14 @@ struct BulkWorld::Scratch {
   StepBalance balance;
   StepForces forces;
   FlightVelocities flight;
+  HalfKicks half_kicks;
   std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
   std::vector<ShapePair> pairs;
   ManifoldList manifolds;
   std::vector<float> joint_impulses;
   std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
-  std::vector<char> touches;             ///< Whether each body may touch another in the step.
+  std::vector<char> touches;  ///< Whether each body may touch another in the step, or a spring holds it.
   std::vector<MotionRecord> motion_before;  ///< At the beginning of a step that may be taken back.
   double vibration = 0;                     ///< The fastest that taut joints have held in the step [rad/s].
   std::vector<int> outside_chains;          ///< Bodies that move and are not in a contact-free chain.

@@ -31,6 +31,8 @@ class StepForces {
 
   /// The accelerations of all bodies in a step of h [s].
   void compute(const BulkBodies& bodies, double h, int substeps, const Executor& executor);
+  /// Sets the marks of the bodies, by body, whose forces take into account how substeps go on with them.
+  void mark_bodies_on_springs(std::vector<char>& marks) const { springs_.mark_bodies(marks); }
   /// Change of the velocities of each body per second, linear first.
   const std::vector<MotionRow>& accelerations() const { return accelerations_; }
   std::vector<MotionRow>& accelerations() { return accelerations_; }

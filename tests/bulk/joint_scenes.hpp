@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
+#include "rigor/bulk/half_kicks.hpp"
 #include "rigor/bulk/joints/bulk_joints.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
@@ -60,34 +61,49 @@ struct JointRun {
     return result;
   }
 
-  void step(double H, int substeps) {
+  /// A step in which forces act before the displacements of substeps, or (flies) in their middle, as on what
+  /// touches nothing in a BulkWorld.
+  void step(double H, int substeps, bool flies = false) {
     const Executor executor(1);
-    const double h = H / substeps;
+    const float h = static_cast<float>(H / substeps);
     begin_bulk_step(*model, executor, bodies);
-    joints.prepare(bodies, h, executor);
+    joints.prepare(bodies, H / substeps, executor);
     std::vector<int> who(bodies.x.size());
     std::iota(who.begin(), who.end(), 0);
     gyroscopic_terms.prepare(bodies, who, executor);
+    std::vector<MotionRow> accelerations(who.size(), MotionRow{});
+    for (const int i : who) {
+      for (int k = 0; bodies.is_dynamic(i) && k < 3; ++k)
+        accelerations[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
+            static_cast<float>(model->g_W()[k]);
+    }
+    HalfKicks half_kicks;
+    const HalfKicks::Kick kick{h, accelerations, gyroscopic_terms, turns};
+    if (flies) {
+      half_kicks.find(who, std::vector<char>(who.size(), 0), bodies, joints);
+      half_kicks.begin(kick, joints, executor, bodies);
+    }
     for (int s = 0; s < substeps; ++s) {
-      gyroscopic_terms.find_changes(static_cast<float>(h), bodies, executor, turns);
-      for (int i = 0; i < bodies.count(); ++i) {
-        MotionRecord& motion = bodies.motion[static_cast<std::size_t>(i)];
-        for (int k = 0; bodies.is_dynamic(i) && k < 3; ++k) {
-          motion.v[k] += static_cast<float>(h * model->g_W()[k]);
-          motion.w[k] += turns[static_cast<std::size_t>(i)][static_cast<std::size_t>(4 + k)];
+      gyroscopic_terms.find_changes(h, bodies, executor, turns);
+      for (std::size_t i = 0; i < who.size(); ++i) {
+        MotionRecord& motion = bodies.motion[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+          motion.v[k] += h * accelerations[i][k];
+          if (bodies.is_dynamic(who[i])) motion.w[k] += turns[i][4 + k];
         }
       }
       joints.solve(JointPass::places, executor);
       for (MotionRecord& motion : bodies.motion) {
-        for (int k = 0; k < 3; ++k) motion.dp[k] += static_cast<float>(h) * motion.v[k];
-        turn_further(static_cast<float>(h), motion);
+        for (int k = 0; k < 3; ++k) motion.dp[k] += h * motion.v[k];
+        turn_further(h, motion);
       }
       joints.solve(JointPass::rates, executor);
     }
+    if (flies) half_kicks.end(kick, joints, executor, bodies);
     end_bulk_step(executor, bodies);
   }
-  void run(double time, double H, int substeps) {
-    for (int i = 0; i < std::lround(time / H); ++i) step(H, substeps);
+  void run(double time, double H, int substeps, bool flies = false) {
+    for (int i = 0; i < std::lround(time / H); ++i) step(H, substeps, flies);
   }
 
   Vec3 velocity(int body) const { return vector(bodies.motion[static_cast<std::size_t>(body)].v); }

@@ -15,7 +15,7 @@ void find_group(const GyroscopicState& start, bool is_of_revolution, float h,
 
   // Nothing to do if all bodies turn so slowly that the change is not worth finding.
   FloatVec3 change{zero, zero, zero};
-  const IntLanes is_slow = splat(h) * fused_dot(w, w) < splat(kLeastChange);
+  const IntLanes is_slow = splat(h < 0 ? -h : h) * fused_dot(w, w) < splat(kLeastChange);
   if (lane_bits(is_slow) != 0xff) {
     for (int i = 0; i < kLaneCount; ++i) square.row[i] = load(records.of_bodies[i] + kLaneCount);
     square = transpose(square);

@@ -104,7 +104,8 @@ void GyroscopicTerms::set_axes(const BulkBodies& bodies, Group& group) const {
 }
 
 void GyroscopicTerms::find_changes(float h, const BulkBodies& bodies, const Executor& executor,
-                                   std::vector<std::array<float, kLaneCount>>& changes) const {
+                                   std::vector<std::array<float, kLaneCount>>& changes,
+                                   std::span<const char> wanted) const {
   changes.resize(bodies.x.size());
   executor.for_ranges(static_cast<int>(groups_.size()), 64, [&](int begin, int end) {
     // Lanes without a body read a record of zeros and write to a place that nobody reads.
@@ -112,6 +113,8 @@ void GyroscopicTerms::find_changes(float h, const BulkBodies& bodies, const Exec
     std::array<float, kLaneCount> nowhere{};
     for (int g = begin; g < end; ++g) {
       const Group& group = groups_[at(g)];
+      const auto is_wanted = [&](int body) { return body >= 0 && wanted[at(body)] != 0; };
+      if (!wanted.empty() && std::none_of(group.bodies.begin(), group.bodies.end(), is_wanted)) continue;
       GyroscopicRecords records;
       for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
         const std::size_t body = at(group.bodies[lane]);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -23,7 +24,7 @@ struct alignas(32) GyroscopicState {
 };
 
 /// Changes of angular velocities by the gyroscopic torque -ω × I ω in a substep: of bodies of revolution in
-/// closed form, of others by one Newton step of the implicit equation, shortened where it would gain energy.
+/// closed form, of others by one Newton step of the implicit midpoint; both keep the energy.
 /// Bodies whose three moments of inertia are equal have no such torque.
 class GyroscopicTerms {
  public:
@@ -36,10 +37,12 @@ class GyroscopicTerms {
   bool has_any() const { return !groups_.empty(); }
   /// At the beginning of a step, for the bodies of these indices.
   void prepare(const BulkBodies& bodies, const std::vector<int>& indices, const Executor& executor);
-  /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: that of body i is
-  /// the fifth, sixth and seventh number of changes[i].
+  /// Changes of the angular velocities [rad/s] within h [s] (backwards if it is negative) where the bodies
+  /// are now, in W: that of body i is the fifth, sixth and seventh number of changes[i]. `wanted`, by body:
+  /// groups without any such body may be left out; if it is empty, none is.
   void find_changes(float h, const BulkBodies& bodies, const Executor& executor,
-                    std::vector<std::array<float, kLaneCount>>& changes) const;
+                    std::vector<std::array<float, kLaneCount>>& changes,
+                    std::span<const char> wanted = {}) const;
 
  private:
   enum class Kind : char { round, revolution, other };

@@ -26,10 +26,8 @@ struct BulkJoints::Blocks {
   std::vector<int> other_joints;         ///< That no contact-free chains have, but for gears; ascending.
   std::vector<int> moved;                ///< A dynamic body of each joint.
   bool are_limits_new = false;           ///< Since the last step.
-  using Impulses = std::array<FloatLanes, kMostJointRows>;
-  std::vector<Impulses> kept;   ///< Of all links, block after block: keep_impulses().
-  std::vector<float> impulses;  ///< With which the step begins.
-  bool has_driven = false;      ///< Whether something that moves as it must holds a system.
+  std::vector<float> impulses;           ///< With which the step begins.
+  bool has_driven = false;               ///< Whether something that moves as it must holds a system.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -149,6 +147,16 @@ void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor,
   }
 }
 
+void BulkJoints::find_flying(const BulkBodies& bodies, std::vector<char>& flies) {
+  for (BulkJointBlock& block : blocks_->blocks) find_flying_lanes(bodies, flies, block);
+}
+
+void BulkJoints::solve_rates_of_flying(bool are_displaced, const Executor& executor) {
+  blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    if (!block.flying_records.empty()) solve_flying_rates(blocks_->effort(), are_displaced, block);
+  });
+}
+
 void BulkJoints::solve(JointPass pass, const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
     if (!block.is_moving) return;
@@ -182,19 +190,13 @@ void BulkJoints::solve_rates_of_driven(const Executor& executor) {
 }
 
 void BulkJoints::keep_impulses() {
-  std::vector<Blocks::Impulses>& kept = blocks_->kept;
-  kept.clear();
-  for (const BulkJointBlock& block : blocks_->blocks) {
-    for (const JointLanes& joint : block.lanes.joints)
-      std::copy_n(joint.impulse, kMostJointRows, kept.emplace_back().begin());
-  }
+  for (BulkJointBlock& block : blocks_->blocks) rigor::keep_impulses(block);
 }
 
 void BulkJoints::take_back_impulses(const std::function<bool(int)>& is_wanted) {
-  std::size_t next = 0;
   for (BulkJointBlock& block : blocks_->blocks) {
     for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
-      const Blocks::Impulses& before = blocks_->kept[next++];
+      const auto& before = block.kept[i];
       for (int lane = 0; lane < kLaneCount; ++lane) {
         const int joint = block.lanes.systems.links[i].joints[at(lane)];
         if (joint < 0 || !is_wanted(joint)) continue;

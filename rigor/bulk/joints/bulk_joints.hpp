@@ -54,6 +54,12 @@ class BulkJoints {
   void advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
                                    BulkBodies& bodies, const Executor& executor);
   void solve(JointPass pass, const Executor& executor);
+  /// After prepare(): `flies`, by body, tells which touch nothing; those of systems of which one does, or on
+  /// which laws other than limits act, are no longer marked.
+  void find_flying(const BulkBodies& bodies, std::vector<char>& flies);
+  /// Of the systems of those that are left, but for contact-free chains: rates are what joints allow, before
+  /// the first substep and after the last one (`are_displaced`), and the impulses of no substep.
+  void solve_rates_of_flying(bool are_displaced, const Executor& executor);
   /// solve(places_anew), then, of systems that nothing holds which moves as it must, the displacements and
   /// solve(rates) at once, while they are in the cache.
   void solve_and_displace(BulkBodies& bodies, const Executor& executor);

@@ -59,6 +59,7 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
       const rigor::Body* body = index < 0 ? nullptr : &model.body(index);
       set_body(body, lane, tables_.bodies[s]);
       tables_.are_of_revolution &= body == nullptr || axis_of_revolution(*body).has_value();
+      tables_.are_round &= body == nullptr || body->moments.minCoeff() == body->moments.maxCoeff();
     }
   }
 

@@ -73,6 +73,7 @@ class ContactFreeChains {
     std::vector<Joint> joints;
     std::vector<std::array<std::int32_t, kLaneCount>> slots;  ///< Bodies by number; -1: none.
     bool are_of_revolution = true;                            ///< All bodies.
+    bool are_round = true;                                    ///< All have three equal moments.
   };
 
  private:

@@ -23,6 +23,8 @@ namespace rigor::avx2_lanes {
 
 #include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
 
+#include "rigor/bulk/joints/contact_free_trees.inl"
+
 #include "rigor/bulk/joints/contact_free_substeps.inl"
 
 #include "rigor/bulk/joints/contact_free_chains.inl"

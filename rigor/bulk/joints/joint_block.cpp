@@ -6,6 +6,7 @@
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -246,6 +247,48 @@ void read_limits(const Model& model, BulkJointBlock& block) {
 
 void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block) {
   for_moved_bodies(bodies, block, [&](int body) { displace(h, bodies.motion[at(body)]); });
+}
+
+namespace {
+
+/// Whether nothing but joints and limits holds the system in a lane together, and it flies.
+bool is_lane_flying(const BulkBodies& bodies, const std::vector<char>& flies, std::size_t lane,
+                    const BulkJointBlock& block) {
+  for (const BulkJointBlock::Law& law : block.laws) {
+    if (std::isnan(law.lower[lane])) return false;
+  }
+  const JointSystems& systems = block.lanes.systems;
+  for (std::size_t s = 0; s < systems.moved; ++s) {
+    const int body = systems.bodies[s][lane];
+    if (body < 0 || !bodies.is_dynamic(body) || flies[at(body)] == 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void find_flying_lanes(const BulkBodies& bodies, std::vector<char>& flies, BulkJointBlock& block) {
+  const JointSystems& systems = block.lanes.systems;
+  block.flying_records.clear();
+  unsigned lanes = 0;
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+    if (is_lane_flying(bodies, flies, lane, block)) {
+      lanes |= 1u << lane;
+      continue;
+    }
+    for (std::size_t s = 0; s < systems.moved; ++s) {
+      if (systems.bodies[s][lane] >= 0) flies[at(systems.bodies[s][lane])] = 0;
+    }
+  }
+  // Contact-free chains solve their rates themselves.
+  lanes &= ~block.free_lanes;
+  if (lanes == 0) return;
+  block.flying_records = block.records;
+  for (JointRecords& records : block.flying_records) {
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      if ((lanes >> lane & 1) == 0) records[lane] = block.empty[lane].data();
+    }
+  }
 }
 
 void prepare_joint_block(const JointEffort& effort, const std::vector<float>& impulses, BulkBodies& bodies,

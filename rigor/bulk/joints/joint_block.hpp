@@ -36,8 +36,11 @@ struct BulkJointBlock {
   };
   std::vector<Velocities> before;  ///< At the beginning of a solve, of bodies that joints with laws move.
   unsigned free_lanes = 0;         ///< Of trees that ContactFreeChains takes in this step, one bit each.
-  bool is_moving = true;           ///< Whether one of its bodies moves in this step: not all of them sleep.
-  bool is_driven = false;          ///< Whether one of its bodies moves as it must.
+  /// As `records`, in this step, but with bodies of systems in flight alone: of none if there are none.
+  std::vector<JointRecords> flying_records;
+  std::vector<std::array<FloatLanes, kMostJointRows>> kept;  ///< keep_impulses().
+  bool is_moving = true;   ///< Whether one of its bodies moves in this step: not all of them sleep.
+  bool is_driven = false;  ///< Whether one of its bodies moves as it must.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
@@ -68,11 +71,18 @@ struct JointEffort {
 /// `impulses`: those of all joints in a substep before, six numbers each, or none.
 void prepare_joint_block(const JointEffort& effort, const std::vector<float>& impulses, BulkBodies& bodies,
                          BulkJointBlock& block);
+/// After that: finds `flying_records`. `flies`, by body: as BulkJoints::find_flying() changes it.
+void find_flying_lanes(const BulkBodies& bodies, std::vector<char>& flies, BulkJointBlock& block);
 /// What is solved before the displacements of a substep, and after them. `anew`: takes back first what joints
 /// have changed since the call of the same name before.
 void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block);
 /// (ends_substep: not if it is repeated, to hold what impacts change.)
 void solve_after_displacements(const JointEffort& effort, bool ends_substep, BulkJointBlock& block);
+/// Of the systems in flight, before the first substep (`are_displaced` is false) and after the last one:
+/// their rates are what joints allow again after half a kick. These impulses are those of no substep.
+void solve_flying_rates(const JointEffort& effort, bool are_displaced, BulkJointBlock& block);
+/// Notes the impulses of all joints.
+void keep_impulses(BulkJointBlock& block);
 /// Displaces the bodies that the block moves.
 void displace_bodies(float h, BulkBodies& bodies, const BulkJointBlock& block);
 /// Calls visit(body) for each of these.

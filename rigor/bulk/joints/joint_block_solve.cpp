@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -328,6 +329,35 @@ void solve_after_displacements(const JointEffort& effort, bool ends_substep, Bul
   }
   store_slots(block.records, target, block.lanes);
   approach(static_cast<double>(h), block.approaches, block.lanes);
+}
+
+void keep_impulses(BulkJointBlock& block) {
+  block.kept.clear();
+  for (const JointLanes& joint : block.lanes.joints)
+    std::copy_n(joint.impulse, kMostJointRows, block.kept.emplace_back().begin());
+}
+
+void solve_flying_rates(const JointEffort& effort, bool are_displaced, BulkJointBlock& block) {
+  keep_impulses(block);
+  std::swap(block.records, block.flying_records);
+  if (are_displaced) {
+    solve_after_displacements(effort, false, block);
+  } else {
+    // Rows and factors are those of where the bodies are, and no law is on.
+    load_slots(block.records, effort.target, block.lanes);
+    if (block.lanes.is_of_balls) {
+      slow_balls(effort.target, block.lanes);
+    } else {
+      run_stage(JointStage::drift, effort.h, effort.target, block.lanes);
+      run_stage(JointStage::solve, effort.h, effort.target, block.lanes);
+    }
+    store_slots(block.records, effort.target, block.lanes);
+    // The first substep takes nothing of it back.
+    for (JointSlot& slot : block.lanes.slots) slot.made_v = slot.made_w = FloatVec3{};
+  }
+  std::swap(block.records, block.flying_records);
+  for (std::size_t i = 0; i < block.kept.size(); ++i)
+    std::copy(block.kept[i].begin(), block.kept[i].end(), block.lanes.joints[i].impulse);
 }
 
 }  // namespace rigor

@@ -33,9 +33,10 @@ void FlightVelocities::begin(const std::vector<int>& moving, const std::vector<c
     if (touches[k] != 0 || !bodies.is_dynamic(body)) continue;
     // What the substeps will do, rounding by rounding, and what they should.
     const FloatRow change = substep * load_row(accelerations[k].data());
-    FloatRow rounded = load_row(bodies.motion[k].v);
+    FloatRow rounded = load_row(bodies.motion[k].v) - 0.5F * change;
     const Vec3 v = vector_of(bodies.motion[k].v) + vector_of(bodies.finer_v[k].data());
     for (int i = 0; i < substeps; ++i) rounded += change;
+    rounded += 0.5F * change;
     flights_.push_back(
         {body, {rounded[0], rounded[1], rounded[2]}, v + h * vector_of(accelerations[k].data())});
   }

@@ -15,7 +15,7 @@ namespace rigor {
 class FlightVelocities {
  public:
   /// Takes note of the bodies among `moving` that touch nothing (`touches`, by body), before a step of h [s]
-  /// in so many substeps by constant accelerations, by body, changes velocities.
+  /// in so many substeps by constant accelerations, by body, changes velocities (with HalfKicks).
   void begin(const std::vector<int>& moving, const std::vector<char>& touches,
              const std::vector<MotionRow>& accelerations, double h, int substeps, const BulkBodies& bodies);
   /// After the solver has changed velocities: those in flight are what they should be, and `finer_v` is
