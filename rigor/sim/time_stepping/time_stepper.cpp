@@ -116,6 +116,7 @@ double TimeStepper::take_step(double h, State& state) {
   const Cluster start = cluster_in(state);
   grow_reaches(*model_, environment_, h, start.bodies, start.phases, speculative.reaches);
   for (const double t : {state.t, state.t + h}) grow_prescribed_reaches(*model_, h, t, speculative.reaches);
+  foresee(state, start, speculative);
 
   // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
@@ -284,6 +285,7 @@ TimeStepper::NextTry TimeStepper::learn(const State& state, SpeculativeContacts&
   if (next_try.until < trial.h) return next_try;
   const NextTry of_end = learn_from_end(state, speculative, trial);
   next_try.is_new |= of_end.is_new;
+  if (!next_try.is_new) next_try.is_new = take_back_foreseen(state, trial, speculative);
   if (!next_try.is_new) next_try.until = of_end.until;
   return next_try;
 }
@@ -307,6 +309,7 @@ TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Tria
     if (meeting == h) return;
     // Rows of the next try, or those of a pair that meets at once; else the step ends there, or is halved.
     const bool is_at_once = meeting <= least_step_share * h;
+    speculative.take_back_foreseen(pair);
     if (contacts_.add_speculative(state, start, pair, path.poses(pair, meeting), 1 - meeting / h,
                                   speculative) ||
         (is_at_once && speculative.met_at_once.insert(pair).second)) {
@@ -345,6 +348,7 @@ TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, Speculative
   for (const auto& [pair, misjudgement] : misjudged) {
     if (misjudgement == 0) continue;
     const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
+    if (misjudgement > 1) speculative.take_back_foreseen(pair);
     if (contacts_.add_speculative(state, start, pair, poses, 0, speculative)) {
       next_try.is_new = true;
     } else if (misjudgement > 1) {
