@@ -54,16 +54,22 @@ void TimeStepper::foresee(const State& state, const Cluster& start, SpeculativeC
   });
 }
 
-/// Takes back the contacts that were foreseen of pairs which do not come to lie on each other after all;
-/// whether there are any.
+/// Takes back the contacts that were foreseen and have acted between bodies which do not come to lie on each
+/// other after all; whether there are any.
 bool TimeStepper::take_back_foreseen(const State& state, const Trial& trial,
                                      SpeculativeContacts& speculative) const {
-  if (speculative.foreseen.empty()) return false;
+  // Rough forces act a little everywhere.
+  if (speculative.foreseen.empty() || trial.is_rough) return false;
+  std::set<Pair> acting;
+  for (const MovedPart* part : trial.moved)
+    for (const std::vector<ContactForce>* forces : {&part->strikes, &part->forces})
+      for (const ContactForce& force : *forces) acting.insert({force.key.body_A, force.key.body_B});
+
   State end = state;
   write(trial.end, end);
   const std::size_t before = speculative.foreseen.size();
   std::erase_if(speculative.foreseen, [&](const Pair& pair) {
-    if (contacts_.are_close(end, pair)) return false;
+    if (!acting.contains(pair) || contacts_.are_close(end, pair)) return false;
     speculative.met.erase(pair);
     return true;
   });
