@@ -51,7 +51,12 @@ class ShapePairSearch {
         core_A_(A.core()),
         core_B_(B.core()),
         options_(options),
-        size_(finite_radius(A) + finite_radius(B)) {}
+        size_(finite_radius(A) + finite_radius(B)) {
+    core_A_.sample = &now_A_;
+    core_B_.sample = &now_B_;
+  }
+  ShapePairSearch(const ShapePairSearch&) = delete;
+  ShapePairSearch& operator=(const ShapePairSearch&) = delete;
 
   TimeOfImpact find(double t0, double t1);
 
@@ -68,9 +73,8 @@ class ShapePairSearch {
   Approach approach(double t);
   /// Whether a surface that is not convex is met: a half-space or a cavity sees of a mesh its hull.
   bool has_mesh() const { return A_.is_mesh() && !is_unbounded(B_.solid()); }
-  void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
-  void look_for_parting(const Pose& X_WS, const Pose& X_WT, const DistanceResult& found, double t,
-                        Approach& now) const;
+  void look_at_contacts(const Pose& X_WS, const Pose& X_WT, Approach& now) const;
+  void look_for_parting(const Pose& X_WS, const Pose& X_WT, const DistanceResult& found, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   TimeOfImpact refined(const Crossing& crossing);
@@ -86,7 +90,8 @@ class ShapePairSearch {
   }
 
   MovingBodyShape A_, B_;
-  MovingCore core_A_, core_B_;
+  Motion::Sample now_A_, now_B_;  ///< At the last instant of `approach`,
+  MovingCore core_A_, core_B_;    ///< which is that of the bounds.
   ToiOptions options_;
   double size_;
   int evaluations_ = 0;
@@ -103,26 +108,26 @@ DistanceResult ShapePairSearch::distance(const Pose& X_WS, const Pose& X_WT) {
 }
 
 Approach ShapePairSearch::approach(double t) {
-  const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
+  const Motion::Sample &A = now_A_ = A_.motion->sample(t), &B = now_B_ = B_.motion->sample(t);
   const Pose X_WS = A.X_WB * A_.shape->X_BS, X_WT = B.X_WB * B_.shape->X_BS;
   const DistanceResult found = distance(X_WS, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
   Approach now{found.distance, found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)),
                found.n_W};
-  if (has_mesh() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
+  if (has_mesh() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, now);
   const bool may_part = !has_mesh() && options_.contact_gap == 0 && now.rate < -options_.rest_velocity &&
                         now.gap <= 0.5 * options_.contact_tolerance;
-  if (may_part) look_for_parting(X_WS, X_WT, found, t, now);
+  if (may_part) look_for_parting(X_WS, X_WT, found, now);
   return now;
 }
 
 /// A mesh and another shape touch at several places, and between nearest points that are as close as rounding
 /// there is no direction. The contact that closes first counts; if no contact approaches, the pair does not.
-void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
+void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, Approach& now) const {
   const std::vector<ContactPoint> contacts =
       contact_set(A_.solid(), X_WS, B_.solid(), X_WT, options_.contact_tolerance);
   if (contacts.empty()) return;
-  const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
+  const Motion::Sample &A = now_A_, &B = now_B_;
   now.rate = 0;
   double soonest = std::numeric_limits<double>::infinity();
   for (const ContactPoint& contact : contacts) {
@@ -141,8 +146,8 @@ void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, doubl
 
 /// What meets at edges or corners need not approach along all directions that keep it apart.
 void ShapePairSearch::look_for_parting(const Pose& X_WS, const Pose& X_WT, const DistanceResult& found,
-                                       double t, Approach& now) const {
-  const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
+                                       Approach& now) const {
+  const Motion::Sample &A = now_A_, &B = now_B_;
   const auto velocity = [&](const Vec3& p_W) -> Vec3 { return B.velocity_at(p_W) - A.velocity_at(p_W); };
   ContactPoint nearest{};
   nearest.p_WA = found.p_WA, nearest.p_WB = found.p_WB, nearest.n_W = found.n_W, nearest.gap = found.distance;
@@ -251,7 +256,7 @@ double ShapePairSearch::convex_step(double t, const Approach& now, double t1, do
   const double span = t1 - t;
   const SeparationBound fixed(core_A_, core_B_, now.n_W, now.gap, t, t1);
   double step = fixed.safe_step(span, level);
-  const Vec3 w_A = A_.motion->sample(t).w, w_B = B_.motion->sample(t).w;
+  const Vec3 &w_A = now_A_.w, &w_B = now_B_.w;
   const double speed = (w_A.norm() + w_B.norm()) * size_;
   constexpr double equal = 1e-6;
   if (B_.is_half_space() || step >= span || fixed.rate() >= now.rate - equal * speed) return step;

@@ -29,9 +29,10 @@ struct Found {
 Found find(const CoulombProblem& problem, double rho, SearchByForces& search) {
   const FactoredMotion motion(problem.A);
   const VecX masses = effective_masses(motion.diagonal());
-  const VecX lambda = VecX::Zero(problem.b.size()),
-             v = motion.apply_inverse_mass(motion.apply_transpose(lambda));
-  Found found{search.find({problem, motion, masses, lambda, v, rho, 1e-3})};
+  ProximalForces none;
+  none.lambda = VecX::Zero(problem.b.size());
+  none.complete(motion);
+  Found found{search.find({problem, motion, masses, none, rho, 1e-3})};
   if (!found.point) return found;
   VecX w = problem.A * found.point->lambda + problem.b;
   for (Index i = 0; i < masses.size(); ++i)

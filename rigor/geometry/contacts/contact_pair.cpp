@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -32,10 +33,12 @@ std::vector<ReferenceFace> faces_at_witnesses(const ContactPair& pair, const Dis
   const double reach = pair.scale.tolerance + kWitnessError * std::max(pair.a.size(), pair.b.size());
   std::vector<ReferenceFace> faces;
   for (FlatFace& face : pair.a.faces_near(distance.p_WA, reach)) {
-    faces.push_back({face, true, separation(pair, face.normal), face.normal.dot(distance.n_W)});
+    const Vec3 n = face.normal;
+    faces.push_back({std::move(face), true, separation(pair, n), n.dot(distance.n_W)});
   }
   for (FlatFace& face : pair.b.faces_near(distance.p_WB, reach)) {
-    faces.push_back({face, false, separation(pair, -face.normal), -face.normal.dot(distance.n_W)});
+    const Vec3 n = -face.normal;
+    faces.push_back({std::move(face), false, separation(pair, n), n.dot(distance.n_W)});
   }
   return faces;
 }

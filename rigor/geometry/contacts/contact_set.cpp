@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace rigor {
 namespace {
@@ -69,9 +70,10 @@ std::vector<ContactPoint> contacts_within(const Shape& a, const Pose& X_OA, cons
     if (const auto enclosed = find_enclosed_contact(a, X_OA, b, X_OB)) contacts.push_back(*enclosed);
     return contacts;
   }
+  const std::optional<DistanceResult> near = distance_within(a, X_OA, b, X_OB, reach);
+  if (!near) return {};
+  const DistanceResult& distance = *near;
   const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
-  const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
-  if (distance.distance > reach) return {};
   const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, reach)};
   const HalfSpace* const plane = std::get_if<HalfSpace>(&a);
   std::vector<ContactPoint> contacts =

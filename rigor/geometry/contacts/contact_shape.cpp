@@ -87,6 +87,7 @@ ContactShape::ContactShape(const Shape& shape, const Pose& X_OS) : shape_(&shape
   size_ = (box.upper - box.lower).maxCoeff();
   if (const Box* s = std::get_if<Box>(&shape)) {
     topology_ = &box_topology();
+    own_vertices_S_.reserve(topology_->vertices.size());
     for (const Vec3& signs : topology_->vertices)
       own_vertices_S_.push_back(signs.cwiseProduct(s->half_extents));
   }
@@ -149,6 +150,7 @@ FlatFace ContactShape::polygon(int face) const {
                   .normal = X_OS_.R * face_normal_S(face),
                   .center = in_O(vertices_S()[at(topology_->faces[at(face)].front())])};
   const std::vector<int>& loop = topology_->faces[at(face)];
+  result.corners.reserve(loop.size());
   for (std::size_t k = 0; k < loop.size(); ++k) {
     FaceCorner corner{in_O(vertices_S()[at(loop[k])]), loop[k]};
     if (facet_) {

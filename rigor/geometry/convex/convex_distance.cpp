@@ -105,16 +105,19 @@ CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDi
   return {penetration.best, std::max(penetration.upper, penetration.best.value)};
 }
 
-/// The signed distance of the cores without their radii.
-CoreDistance core_distance(const CorePair& pair) {
-  if (const std::optional<Separation> exact = find_point_separation(pair)) return {*exact, exact->value};
+/// The signed distance of the cores without their radii; nothing where it is seen to be more than enough.
+std::optional<CoreDistance> core_distance(const CorePair& pair, double enough) {
+  if (const std::optional<Separation> exact = find_point_separation(pair))
+    return CoreDistance{*exact, exact->value};
   // GJK finds the nearest points of polytopes exactly. Curved shapes would take it many iterations: it stops
   // early, Newton's method takes over, and GJK continues with a smaller tolerance where that was too early.
   const bool is_flat_faced = is_polytope(pair.a) && is_polytope(pair.b);
   double tolerance = is_flat_faced ? 0.5 * pair.rounding : kFirstGap * (pair.a.extent + pair.b.extent);
   GjkState gjk = start_gjk(pair);
+  gjk.enough = enough;
   for (;;) {
     advance_gjk(pair, tolerance, gjk);
+    if (gjk.separation > enough) return std::nullopt;
     if (gjk.outcome == GjkState::Outcome::touching) return touching_distance(pair, gjk, of_gjk(gjk));
     if (is_flat_faced && gjk.outcome == GjkState::Outcome::converged) return of_gjk(gjk);
     CoreDistance result = polished(pair, gjk);
@@ -127,10 +130,17 @@ CoreDistance core_distance(const CorePair& pair) {
 }  // namespace
 
 DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const ConvexCore& b, const Pose& X_WB) {
+  return *convex_distance_within(a, X_WA, b, X_WB, std::numeric_limits<double>::infinity());
+}
+
+std::optional<DistanceResult> convex_distance_within(const ConvexCore& a, const Pose& X_WA,
+                                                     const ConvexCore& b, const Pose& X_WB, double reach) {
   count_following(kOfQuery);
   const Mat3 R_AW = X_WA.R.transpose();
   const CorePair pair(a, b, {R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)});
-  const CoreDistance core = core_distance(pair);
+  const std::optional<CoreDistance> found = core_distance(pair, reach + a.radius + b.radius + pair.rounding);
+  if (!found) return std::nullopt;
+  const CoreDistance& core = *found;
 
   // The balls around the cores move both surfaces towards each other along n. The witnesses are placed
   // exactly along n, about the midpoint of those of the cores.

@@ -4,6 +4,8 @@
 #include "rigor/geometry/shape/convex_core.hpp"
 #include "rigor/math/pose.hpp"
 
+#include <optional>
+
 namespace rigor {
 
 /// Signed distance of two convex cores (including their radii), with bounds, witness points and the normal
@@ -19,5 +21,8 @@ namespace rigor {
 /// in Three-Dimensional Space, IEEE J. Robotics and Automation 4(2), 1988; van den Bergen, Proximity Queries
 /// and Penetration Depth Computation on 3D Game Objects, GDC 2001. The polish by Newton is ours.
 DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const ConvexCore& b, const Pose& X_WB);
+/// The same; nothing where GJK has seen a direction along which they are farther apart than `reach` [m].
+std::optional<DistanceResult> convex_distance_within(const ConvexCore& a, const Pose& X_WA,
+                                                     const ConvexCore& b, const Pose& X_WB, double reach);
 
 }  // namespace rigor

@@ -73,7 +73,7 @@ void advance_gjk(const CorePair& pair, double tolerance, GjkState& state) {
     }
     // The two bounds have met: this, not small progress, is what ends the search.
     state.outcome = GjkState::Outcome::converged;
-    if (state.upper - state.separation <= tolerance) return;
+    if (state.upper - state.separation <= tolerance || state.separation > state.enough) return;
 
     // In exact arithmetic |v| falls with each support point. Where it does not, only rounding is left to
     // gain.

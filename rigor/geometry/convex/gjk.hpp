@@ -12,7 +12,7 @@ namespace rigor {
 /// every length seen is a bound: separation ≤ distance ≤ upper, to rounding.
 struct GjkState {
   enum class Outcome {
-    converged,  ///< upper - separation is within the tolerance.
+    converged,  ///< upper - separation is within the tolerance, or the separation is enough.
     stalled,    ///< Rounding allows no further progress.
     touching    ///< The cores overlap, or are closer than rounding can tell.
   };
@@ -24,13 +24,14 @@ struct GjkState {
       -std::numeric_limits<double>::infinity();  ///< Largest n · w of any support point seen [m].
   Vec3 n = Vec3::UnitX();                        ///< The unit direction of that separation, from A to B.
   int iterations = 0;
+  double enough = std::numeric_limits<double>::infinity();  ///< A separation beyond it ends the search [m].
 };
 
 /// First support point of the search, along the line through the origins of the frames.
 GjkState start_gjk(const CorePair& pair);
 
-/// Iterates until upper - separation ≤ tolerance [m], or until no further progress is possible. May be called
-/// again with a smaller tolerance, and then continues.
+/// Iterates until upper - separation ≤ tolerance [m], until the separation is beyond what is enough, or until
+/// no further progress is possible. May be called again with a smaller tolerance, and then continues.
 ///
 /// Source: Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects
 /// in Three-Dimensional Space, IEEE J. Robotics and Automation 4(2), 1988.

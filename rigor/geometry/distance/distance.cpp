@@ -14,6 +14,7 @@
 #include <cmath>
 #include <compare>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace rigor {
@@ -77,14 +78,15 @@ DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Sh
 }
 
 /// Chooses the algorithm by the type of A, which comes first in the order of shapes.
-DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+std::optional<DistanceResult> ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b,
+                                               const Pose& X_WB, double reach) {
   if (const HalfSpace* const plane = std::get_if<HalfSpace>(&a)) return plane_distance(*plane, X_WA, b, X_WB);
   if (const Cavity* const cavity = std::get_if<Cavity>(&a)) return cavity_distance(*cavity, X_WA, b, X_WB);
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   const Mesh* const other = std::get_if<Mesh>(&b);
   if (mesh != nullptr && other != nullptr) return mesh_pair_signed_distance(*mesh, X_WA, *other, X_WB);
   if (mesh != nullptr) return mesh_signed_distance(*mesh, X_WA, b, X_WB);
-  return convex_distance(make_core(a), X_WA, make_core(b), X_WB);
+  return convex_distance_within(make_core(a), X_WA, make_core(b), X_WB, reach);
 }
 
 /// How far a mesh may differ from the convex solid that stands for it [m].
@@ -105,17 +107,24 @@ DistanceResult unknown_distance() {
 }  // namespace
 
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
-  if (!is_placed(X_WA, X_WB)) return unknown_distance();
+  return *distance_within(a, X_WA, b, X_WB, std::numeric_limits<double>::infinity());
+}
+
+std::optional<DistanceResult> distance_within(const Shape& a, const Pose& X_WA, const Shape& b,
+                                              const Pose& X_WB, double reach) {
+  if (!is_placed(X_WA, X_WB))
+    return std::isinf(reach) ? std::optional<DistanceResult>(unknown_distance()) : std::nullopt;
   poll_interrupt();
   // A mesh that bounds a convex solid is that solid, however its faces are cut.
   const Shape &solid_A = convex_solid(a), &solid_B = convex_solid(b);
   const double error = convex_error(a) + convex_error(b);
   const bool is_reversed = is_swapped(solid_A, X_WA, solid_B, X_WB);
-  DistanceResult result = is_reversed ? ordered_distance(solid_B, X_WB, solid_A, X_WA)
-                                      : ordered_distance(solid_A, X_WA, solid_B, X_WB);
-  result.lower -= error;
-  result.upper += error;
-  return is_reversed ? exchanged(result) : result;
+  std::optional<DistanceResult> result = is_reversed ? ordered_distance(solid_B, X_WB, solid_A, X_WA, reach)
+                                                     : ordered_distance(solid_A, X_WA, solid_B, X_WB, reach);
+  if (!result || result->distance > reach) return std::nullopt;
+  result->lower -= error;
+  result->upper += error;
+  return is_reversed ? exchanged(*result) : *result;
 }
 
 }  // namespace rigor

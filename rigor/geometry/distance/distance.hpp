@@ -4,6 +4,8 @@
 #include "rigor/geometry/shape/shape.hpp"
 #include "rigor/math/pose.hpp"
 
+#include <optional>
+
 namespace rigor {
 
 /// Distance(A,B) of the course: the signed distance of two shapes. Closed forms where they exist, GJK and a
@@ -16,5 +18,8 @@ namespace rigor {
 /// the distance and `upper` are infinite, `lower` is minus infinity, the points are zero and the normal is
 /// +z.
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
+/// The same; nothing where they are farther apart than `reach` [m], which is often seen sooner.
+std::optional<DistanceResult> distance_within(const Shape& a, const Pose& X_WA, const Shape& b,
+                                              const Pose& X_WB, double reach);
 
 }  // namespace rigor

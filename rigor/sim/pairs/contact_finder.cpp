@@ -10,7 +10,10 @@
 namespace rigor {
 
 ContactFinder::ContactFinder(const Model& model, BroadPhaseMethod method)
-    : model_(model), boxes_(make_broad_phase(method)), box_of_(at(model.body_count())) {}
+    : model_(model),
+      boxes_(make_broad_phase(method)),
+      box_of_(at(model.body_count())),
+      known_(box_of_.size(), false) {}
 
 std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
                                                            const std::vector<double>& reaches) {
@@ -20,8 +23,11 @@ std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
   for (int i = 0; i < model_.body_count(); ++i) {
     if (model_.body(i).shapes.empty()) continue;
     const std::size_t k = at(i);
-    box_of_[k] = body_box(model_, state, i).grown(reaches[k]);
-    boxes_->set(i, box_of_[k]);
+    const Aabb box = body_box(model_, state, i).grown(reaches[k]);
+    if (known_[k] && box.lower == box_of_[k].lower && box.upper == box_of_[k].upper) continue;
+    known_[k] = true;
+    box_of_[k] = box;
+    boxes_->set(i, box);
   }
 
   // Boxes that meet, of bodies that may collide.

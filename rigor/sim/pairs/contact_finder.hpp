@@ -31,6 +31,7 @@ class ContactFinder {
   const Model& model_;
   std::unique_ptr<BroadPhase> boxes_;
   std::vector<Aabb> box_of_;
+  std::vector<bool> known_;  ///< Whether a body has a box.
 };
 
 }  // namespace rigor

@@ -62,10 +62,11 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
   if (!solution.converged) ++report.fallbacks;
 }
 
-StepAccuracy ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
-                                 AdvanceReport& report) const {
+PartForces ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
+                               AdvanceReport& report) const {
   constexpr int most_passes = 50;
   std::vector<bool> struck(part.contacts.size(), false);
+  PartForces result;
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
     // Which contacts close within h, and which of them bounce.
     const ContactSystem system = assembler_.assemble(part, part.contacts);
@@ -74,6 +75,8 @@ StepAccuracy ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, I
 
     // Those that bounce collide by the law of the method, as often as it takes.
     if (closing.bounces && pass + 1 < most_passes) {
+      for (const Contact& contact : closing.contacts)
+        result.forces.push_back({contact.key(), contact.p_W(), Vec3::Zero(), TouchingPoint::Mode::unknown});
       std::swap(part.contacts, closing.contacts);
       impacts.collide(
           part, [this](Cluster& moving, AdvanceReport& of_it) { resolver_.apply_impulses(moving, of_it); },
@@ -98,9 +101,12 @@ StepAccuracy ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, I
     note(solution, report);
     const EnergyScope energy(EnergyAccount::plastic_impact, model_, part.bodies, part.phases, report);
     resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
-    return solution.accuracy;
+    const std::vector<ContactForce> plastic = forces_of(system, solution, h);
+    result.forces.insert(result.forces.end(), plastic.begin(), plastic.end());
+    result.accuracy = solution.accuracy;
+    break;
   }
-  return StepAccuracy::exact;
+  return result;
 }
 
 /// `struck`: the contacts that closed before in this step. They collide again with those that close now: one

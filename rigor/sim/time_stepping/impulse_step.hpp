@@ -31,9 +31,10 @@ class ImpulseStep {
 
   /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
   /// they may still be apart by their gaps. Changes the momenta of the part. impacts: of the tries of this
-  /// step. Returns how accurate they are, where no more than `wanted` is asked for.
-  StepAccuracy strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
-                      AdvanceReport& report) const;
+  /// step. Returns the contacts that may have had a part in them, with the impulses of a plastic impact over
+  /// h, and how accurate these are, where no more than `wanted` is asked for.
+  PartForces strike(double h, StepAccuracy wanted, Cluster& part, ImpactMemory& impacts,
+                    AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows. memory: of the
   /// tries of this step.

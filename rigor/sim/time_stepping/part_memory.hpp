@@ -14,11 +14,12 @@ namespace rigor {
 
 /// A part of the bodies after a step: bodies that contacts, joints or springs connect.
 struct MovedPart {
-  std::vector<BodyPhase> struck;  ///< After the impacts at the beginning, one per body.
-  std::vector<BodyPhase> end;     ///< One per body.
-  std::vector<ContactForce> forces;
+  std::vector<BodyPhase> struck;     ///< After the impacts at the beginning, one per body.
+  std::vector<BodyPhase> end;        ///< One per body.
+  std::vector<ContactForce> forces;  ///< All through the step.
   AdvanceReport report;
   StepAccuracy accuracy = StepAccuracy::exact;
+  std::vector<ContactForce> strikes = {};  ///< Of contacts that may have had a part in the impacts.
 };
 
 /// Whether two lists of contacts, found at one instant, pose the same problem. What a model says of a pair,

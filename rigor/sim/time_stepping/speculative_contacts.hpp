@@ -18,8 +18,14 @@ struct SpeculativeContacts {
   /// Pairs that met on the way or overlapped at its end, and the contacts that they had there, as they are at
   /// the beginning of the step.
   std::map<Pair, std::vector<Contact>> met = {};
+  /// Those of them that no try has shown yet, but a guess of the motion.
+  std::set<Pair> foreseen = {};
   std::set<Pair> met_at_once = {};  ///< Pairs that meet at the beginning, though they do not touch yet.
 
+  /// A try shows better what the pair does.
+  void take_back_foreseen(const Pair& pair) {
+    if (foreseen.erase(pair) > 0) met.erase(pair);
+  }
   /// Takes a shorter step, which reaches less far.
   void shorten(double shorter) {
     for (double& reach : reaches) reach *= shorter / h;

@@ -26,7 +26,8 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
       environment_(environment),
       tolerance_(method.contact_tolerance),
       cone_(method.cone),
-      finder_(model, method.broad_phase) {
+      finder_(model, method.broad_phase),
+      end_finder_(model, method.broad_phase) {
   for (int i = 0; i < model.body_count(); ++i) {
     double thickness = std::numeric_limits<double>::infinity(), width = thickness;
     for (const BodyShape& shape : model.body(i).shapes) {
@@ -175,7 +176,7 @@ bool StepContacts::add_speculative(const State& state, const Cluster& start, con
 }
 
 std::vector<StepContacts::Pair> StepContacts::touching_pairs(const State& state) {
-  return finder_.near_pairs(state, std::vector<double>(rigor::at(model_.body_count()), 0.5 * tolerance_));
+  return end_finder_.near_pairs(state, std::vector<double>(rigor::at(model_.body_count()), 0.5 * tolerance_));
 }
 
 std::vector<Contact> StepContacts::at_end(const State& end, const std::vector<Pair>& pairs, WayMemory& ways,
@@ -196,8 +197,15 @@ std::vector<Contact> StepContacts::at_end(const State& end, const std::vector<Pa
   return contacts;
 }
 
+bool StepContacts::are_close(const State& end, const Pair& pair) const {
+  constexpr double share_of_thickness = 0.1;
+  const double reach =
+      std::max(tolerance_, share_of_thickness * std::min(thickness(pair.first), thickness(pair.second)));
+  return !finder_.find(end, pair, {tolerance_, reach}).empty();
+}
+
 std::vector<Contact> StepContacts::at(const State& state, const std::vector<double>& reaches) {
-  return finder_.find(state, reaches, tolerance_);
+  return end_finder_.find(state, reaches, tolerance_);
 }
 
 std::vector<Contact> StepContacts::touching(const std::vector<Contact>& contacts) const {

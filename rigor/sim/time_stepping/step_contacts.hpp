@@ -46,6 +46,8 @@ class StepContacts {
                        const std::array<Pose, 2>& poses, double left, SpeculativeContacts& speculative);
   /// The pairs whose boxes are no farther apart than the contact tolerance.
   std::vector<Pair> touching_pairs(const State& state);
+  /// Whether the pair is nearer at the end of a try than a tenth of the thickness of the thinner body.
+  bool are_close(const State& end, const Pair& pair) const;
   /// Contacts of these pairs where they are at the end of a try, with gaps up to the contact tolerance. Of
   /// bodies that were moved from there since, `is_moved` by body, nothing is remembered.
   std::vector<Contact> at_end(const State& end, const std::vector<Pair>& pairs, WayMemory& ways,
@@ -69,7 +71,8 @@ class StepContacts {
   const Environment& environment_;
   double tolerance_;  ///< Of contacts [m].
   ConeMethod cone_;
-  ContactFinder finder_;
+  // Each has boxes that change little from try to try: at the beginning of the step and at the ends of tries.
+  ContactFinder finder_, end_finder_;
   std::vector<Aabb> boxes_;             ///< Of the bodies at the beginning of the step.
   std::optional<GroundPlanes> ground_;  ///< Of the last try.
   std::vector<Pair> pairs_;             ///< That are near there,

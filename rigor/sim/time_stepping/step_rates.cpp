@@ -11,11 +11,11 @@ namespace rigor {
 
 namespace {
 
-using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+using Rotations = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// The point nearest to `wanted` in the span of the columns. Those of which others leave less than a share do
 /// not count: Gram and Schmidt's method, the longest remaining column first, its rest made orthogonal twice.
-VecX nearest_in_span(RigidMotions columns, const VecX& wanted) {
+VecX nearest_in_span(Rotations columns, const VecX& wanted) {
   constexpr double dependent = 1e-9;
   const double least = dependent * columns.colwise().norm().maxCoeff();
   VecX nearest = VecX::Zero(wanted.size());
@@ -47,21 +47,25 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
   if (!(radius > 0)) radius = 1;
 
-  // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
-  RigidMotions motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
-  VecX wanted(motions.rows());
+  // Least squares: accelerations at the contacts of all rigid motions, against those wanted. Rotations about
+  // the centre are square to translations, whose nearest is the mean.
+  Rotations rotations(3 * static_cast<Eigen::Index>(contacts.size()), 3);
+  VecX wanted(rotations.rows());
+  Vec3 mean = Vec3::Zero();
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
-    motions.block<3, 3>(3 * k, 0).setIdentity();
-    motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
+    rotations.middleRows<3>(3 * k) = -skew((system.contacts[i].p_W() - centre) / radius);
     wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
+    mean += wanted.segment<3>(3 * k) / static_cast<double>(contacts.size());
   }
+  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) wanted.segment<3>(3 * k) -= mean;
 
   // The nearest of them, in the frames of the contacts.
-  const VecX rigid = nearest_in_span(std::move(motions), wanted);
+  const VecX turning = nearest_in_span(std::move(rotations), wanted);
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
-    accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);
+    accelerations.segment<3>(normal_row(i) - 2) =
+        system.frames[i].transpose() * (mean + turning.segment<3>(3 * k));
   }
 }
 

@@ -116,6 +116,7 @@ double TimeStepper::take_step(double h, State& state) {
   const Cluster start = cluster_in(state);
   grow_reaches(*model_, environment_, h, start.bodies, start.phases, speculative.reaches);
   for (const double t : {state.t, state.t + h}) grow_prescribed_reaches(*model_, h, t, speculative.reaches);
+  foresee(state, start, speculative);
 
   // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
@@ -235,11 +236,12 @@ void TimeStepper::move_parts(double theta, StepAccuracy accuracy, const Cluster&
   trial.parts = connected_parts(start, contacts, environment_);
   const auto move = [&](Cluster moving) {
     MovedPart result;
-    const StepAccuracy of_impacts = impulses_.strike(trial.h, accuracy, moving, impacts_, result.report);
+    PartForces impact = impulses_.strike(trial.h, accuracy, moving, impacts_, result.report);
     result.struck = moving.phases;
+    result.strikes = std::move(impact.forces);
     PartForces step = impulses_.move(trial.h, theta, accuracy, moving, free_motions_, result.report);
     result.forces = std::move(step.forces);
-    result.accuracy = std::min(of_impacts, step.accuracy);
+    result.accuracy = std::min(impact.accuracy, step.accuracy);
     project_joints(moving, result.report);
     result.end = std::move(moving.phases);
     return result;
@@ -284,6 +286,7 @@ TimeStepper::NextTry TimeStepper::learn(const State& state, SpeculativeContacts&
   if (next_try.until < trial.h) return next_try;
   const NextTry of_end = learn_from_end(state, speculative, trial);
   next_try.is_new |= of_end.is_new;
+  if (!next_try.is_new) next_try.is_new = take_back_foreseen(state, trial, speculative);
   if (!next_try.is_new) next_try.until = of_end.until;
   return next_try;
 }
@@ -307,6 +310,7 @@ TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Tria
     if (meeting == h) return;
     // Rows of the next try, or those of a pair that meets at once; else the step ends there, or is halved.
     const bool is_at_once = meeting <= least_step_share * h;
+    speculative.take_back_foreseen(pair);
     if (contacts_.add_speculative(state, start, pair, path.poses(pair, meeting), 1 - meeting / h,
                                   speculative) ||
         (is_at_once && speculative.met_at_once.insert(pair).second)) {
@@ -345,6 +349,7 @@ TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, Speculative
   for (const auto& [pair, misjudgement] : misjudged) {
     if (misjudgement == 0) continue;
     const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
+    if (misjudgement > 1) speculative.take_back_foreseen(pair);
     if (contacts_.add_speculative(state, start, pair, poses, 0, speculative)) {
       next_try.is_new = true;
     } else if (misjudgement > 1) {
@@ -352,17 +357,6 @@ TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, Speculative
     }
   }
   return next_try;
-}
-
-/// Bodies that overlap at the start of a scene, by no more than counts as touching, are put apart before the
-/// first step: what lifts them is work, and no energy that a step adds.
-void TimeStepper::admit_overlaps(State& state) {
-  const double before = mechanical_energy(*model_, environment_, state).total();
-  const Cluster start = cluster_in(state);
-  Trial trial{.h = 0, .struck = start, .end = start, .reaches = {}, .near = {}};
-  if (correct_overlaps(state, trial) > method_.contact_tolerance) return;
-  write(trial.end, state);
-  report_.work += mechanical_energy(*model_, environment_, state).total() - before;
 }
 
 /// Velocities that joints do not allow, as a scene may have at its start, are projected before the first
@@ -390,59 +384,6 @@ void TimeStepper::project_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_positions(part.t, part.bodies, part.phases, report);
   keep_angular_momenta(before, part.phases);
   joints_.project_velocities(part, report);
-}
-
-/// By body: whether it is elsewhere than it was before.
-std::vector<bool> TimeStepper::moved_since(const Cluster& before, const Cluster& now) const {
-  std::vector<bool> is_moved(at(model_->body_count()), false);
-  for (std::size_t i = 0; i < now.bodies.size(); ++i)
-    is_moved[at(now.bodies[i])] = !is_same_phase(before.phases[i], now.phases[i]);
-  return is_moved;
-}
-
-/// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
-/// does the angular momentum about the origin. Returns the overlap that is left [m].
-double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
-  constexpr int most_passes = 40;
-  const double tolerable = 0.2 * method_.contact_tolerance;
-  std::vector<double> reaches(at(model_->body_count()), 0.0);
-  const Cluster before = trial.end;
-  Cluster& end = trial.end;
-  State moved = state;
-  double largest = 0;
-  for (int pass = 0;; ++pass) {
-    write(end, moved);
-    const bool is_known = pass == 0 && trial.at_end;
-    std::vector<Contact> contacts =
-        is_known ? *trial.at_end
-                 : contacts_.at_end(moved, contacts_.touching_pairs(moved), ways_, moved_since(before, end));
-    double deepest = 0;
-    for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
-    trial.touching_after = contacts_.touching(contacts);
-    if (deepest <= tolerable || pass == most_passes) return deepest;
-    largest = std::max(largest, deepest);
-    // Nearby bodies may be in the way of what is moved.
-    if (pass > 0) contacts = contacts_.at(moved, reaches);
-    for (std::size_t i = 0; i < end.bodies.size(); ++i) {
-      const int body = end.bodies[i];
-      reaches[at(body)] =
-          std::max(reaches[at(body)],
-                   2 * (largest + reach_between(model_->body(body), before.phases[i], end.phases[i])));
-    }
-    if (pass == 0 && deepest > method_.contact_tolerance) continue;
-
-    // Each part that overlaps, by the smallest displacement.
-    for (Cluster& part : connected_parts(end, contacts, environment_)) {
-      double of_part = 0;
-      for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
-      if (of_part <= tolerable) continue;
-      const ContactSystem system = assembler_.assemble(part, part.contacts);
-      const std::vector<double> lowest(part.contacts.size(), 0.0);
-      apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
-      project_joints(part, trial.report);
-      for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
-    }
-  }
 }
 
 /// Pairs that touch and neither close nor part faster than `resting_velocity` anywhere.

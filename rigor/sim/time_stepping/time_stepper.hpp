@@ -70,6 +70,8 @@ class TimeStepper : public FixedStepStepper {
   double take_step(double h, State& state);
   double work_of_step() const { return static_cast<double>(moved_.work() + try_work_); }
   void take_gain(Trial& trial) const;
+  void foresee(const State& state, const Cluster& start, SpeculativeContacts& speculative);
+  bool take_back_foreseen(const State& state, const Trial& trial, SpeculativeContacts& speculative) const;
   Trial try_calmly(const Energy& before, const State& state, StepAccuracy accuracy,
                    SpeculativeContacts& speculative);
   Trial try_step(double theta, const State& state, StepAccuracy accuracy, SpeculativeContacts& speculative);

@@ -11,15 +11,29 @@
 
 namespace rigor {
 
+/// Forces and the motion that they make.
+struct ProximalForces {
+  VecX lambda;             ///< 3n.
+  VecX generalised_force;  ///< Lᵀ λ, which is M v.
+  VecX v;                  ///< M⁻¹ Lᵀ λ.
+  VecX rates;              ///< L v (3n).
+
+  /// The motion of the forces as they are.
+  void complete(const ContactMotion& motion) {
+    motion.apply_transpose(lambda, generalised_force);
+    motion.apply_inverse_mass(generalised_force, v);
+    motion.rates(v, rates);
+  }
+};
+
 /// Where the search for a proximal point begins.
 struct ProximalStart {
   const CoulombProblem& laws;
   const ContactMotion& motion;
-  const VecX& masses;  ///< effective_masses: n.
-  const VecX& lambda;  ///< λ⁰ (3n).
-  const VecX& v;       ///< M⁻¹ Lᵀ λ⁰.
-  double rho;          ///< Times the mass of each contact.
-  double share;        ///< How large the residual may be, as a share of what the point moves.
+  const VecX& masses;            ///< effective_masses: n.
+  const ProximalForces& forces;  ///< λ⁰.
+  double rho;                    ///< Times the mass of each contact.
+  double share;                  ///< How large the residual may be, as a share of what the point moves.
 };
 
 /// Forces that solve the law of contacts that give way: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.

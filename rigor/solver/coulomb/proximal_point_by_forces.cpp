@@ -40,14 +40,8 @@ Vec3 SearchByForces::argument(const Iterate& iterate, Index contact) const {
   const double mass = from_->masses(contact);
   const Vec3 lambda = iterate.lambda.segment<3>(row);
   const Vec3 w = iterate.rates.segment<3>(row) + from_->laws.b.segment<3>(row) +
-                 (lambda - from_->lambda.segment<3>(row)) / (from_->rho * mass);
+                 (lambda - from_->forces.lambda.segment<3>(row)) / (from_->rho * mass);
   return lambda - kScale * mass * w;
-}
-
-void SearchByForces::complete(Iterate& iterate) const {
-  from_->motion.rates(iterate.v, iterate.rates);
-  from_->motion.apply_mass(iterate.v, iterate.momentum);
-  from_->motion.apply_transpose(iterate.lambda, iterate.generalised_force);
 }
 
 void SearchByForces::measure(const Iterate& iterate, Residual& residual) {
@@ -211,17 +205,18 @@ bool SearchByForces::repeats() {
 std::optional<ProximalPoint> SearchByForces::find(const ProximalStart& from) {
   constexpr int kMostSteps = 20;
   from_ = &from;
-  start_.v = from.v;
-  start_.lambda = from.lambda;
-  complete(start_);
-  iterate_ = start_;
+  const ProximalForces& start = from.forces;
+  iterate_.v = start.v;
+  iterate_.rates = start.rates;
+  iterate_.momentum = iterate_.generalised_force = start.generalised_force;
+  iterate_.lambda = start.lambda;
   measure(iterate_, residual_);
   for (int step = 0; step < kMostSteps; ++step) {
     from.motion.apply_inverse_mass(iterate_.generalised_force, velocity_);
     const double size =
         std::sqrt(iterate_.generalised_force.dot(velocity_)) + std::sqrt(iterate_.v.dot(iterate_.momentum));
     const double moved_by =
-        std::sqrt(std::max(0.0, (iterate_.v - start_.v).dot(iterate_.momentum - start_.momentum)));
+        std::sqrt(std::max(0.0, (iterate_.v - start.v).dot(iterate_.momentum - start.generalised_force)));
     if (is_near_enough(residual_.error, size, from.share * moved_by))
       return ProximalPoint{iterate_.lambda, residual_.modes, false};
 

@@ -32,7 +32,6 @@ class SearchByForces {
   };
   /// λ - c w of a contact.
   Vec3 argument(const Iterate& iterate, Eigen::Index contact) const;
-  void complete(Iterate& iterate) const;
   void measure(const Iterate& iterate, Residual& residual);
   void linearise(const Residual& residual);
   void direct(const Iterate& iterate, const Residual& residual, Iterate& step);
@@ -45,7 +44,7 @@ class SearchByForces {
   double size_of(const Iterate& step) const;
 
   const ProximalStart* from_ = nullptr;
-  Iterate start_, iterate_, next_, step_, simplified_, best_iterate_;
+  Iterate iterate_, next_, step_, simplified_, best_iterate_;
   Residual residual_, trial_, best_;
   // Of the last linearisation.
   double rho_ = 0;

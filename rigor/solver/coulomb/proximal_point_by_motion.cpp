@@ -31,7 +31,7 @@ class SearchByMotion {
   };
 
   const ContactMotion& motion() const { return from_.motion; }
-  Motion start() const { return motion_at(from_.v); }
+  Motion start() const { return {from_.forces.v, from_.forces.rates, from_.forces.generalised_force}; }
 
   void measure(const Motion& motion, Residual& forces) const {
     const VecX w = motion.rates + from_.laws.b;
@@ -44,7 +44,7 @@ class SearchByMotion {
       const Index row = 3 * static_cast<Index>(k);
       const double rho = from_.rho * from_.masses(row / 3);
       const ProjectedForce projection =
-          alart_curnier(from_.laws, k, from_.lambda.segment<3>(row) - rho * w.segment<3>(row));
+          alart_curnier(from_.laws, k, from_.forces.lambda.segment<3>(row) - rho * w.segment<3>(row));
       forces.lambda.segment<3>(row) = projection.force;
       forces.modes[k] = projection.mode;
       forces.slopes[k] = rho * projection.slope;

@@ -58,10 +58,10 @@ class ProximalPoints {
         rho_(options.is_bold ? kBoldRho : kFirstRho),
         is_bold_(options.is_bold) {
     const Index count = static_cast<Index>(laws.mu.size());
-    lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
+    from_.lambda = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
     if (begins_inside(laws, options)) begin_inside(rho_inside);
     if (options.is_near) rho_ = kRhoNear;
-    v_ = motion_.apply_inverse_mass(motion_.apply_transpose(lambda_));
+    from_.complete(motion_);
   }
 
   std::optional<CoulombSolution> run() {
@@ -75,17 +75,16 @@ class ProximalPoints {
           next_point(options_.is_bold && !is_slow ? kRoughShare : kExactShare);
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
-        const Candidate candidate = candidate_of(*next);
+        Candidate candidate = candidate_of(*next);
         is_slow = !(candidate.residual < std::max(kSlow * least(), options_.enough));
         stalls = candidate.residual < 0.5 * least() ? 0 : stalls + 1;
         failures = 0;
-        keep(candidate, point);
+        keep(std::move(candidate), point);
         if (best_->residual <= options_.wanted) return solution_of(*best_, best_->residual);
 
         // The next point, with a longer step; where rounding held this one back, with a shorter one.
-        lambda_ = next->lambda;
-        motion_.apply_transpose(lambda_, momentum_);
-        motion_.apply_inverse_mass(momentum_, v_);
+        from_.lambda = next->lambda;
+        from_.complete(motion_);
         const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
         if (next->is_rounded)
           rho_ = std::max(rho_ / growth, kFirstRho);
@@ -115,12 +114,12 @@ class ProximalPoints {
   void begin_inside(double rho) {
     const std::optional<VecX> inside = interior_forces(laws_, motion_);
     if (!inside) return;
-    lambda_ = clamp_to_cones(laws_, *inside);
+    from_.lambda = clamp_to_cones(laws_, *inside);
     rho_ = rho;
   }
 
   std::optional<ProximalPoint> next_point(double share) {
-    const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_, share};
+    const ProximalStart start{laws_, motion_, masses_, from_, rho_, share};
     return is_bold_ ? by_forces_.find(start) : proximal_point_by_motion(start);
   }
 
@@ -135,18 +134,19 @@ class ProximalPoints {
   };
 
   Candidate candidate_of(const ProximalPoint& point) {
-    Candidate candidate{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
-    motion_.apply_transpose(candidate.lambda, momentum_);
-    motion_.apply_inverse_mass(momentum_, velocity_);
-    motion_.rates(velocity_, candidate.w);
-    candidate.w += laws_.b;
+    clamped_.lambda = clamp_to_cones(laws_, point.lambda);
+    clamped_.complete(motion_);
+    Candidate candidate{clamped_.lambda, clamped_.rates + laws_.b, point.modes, 0, 0, 0};
     const double size = size_of_(candidate.lambda);
     candidate.residual = law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w);
-    VecX change = candidate.lambda - lambda_;
+    VecX change = candidate.lambda - from_.lambda;
     for (Index i = 0; i < masses_.size(); ++i) change.segment<3>(3 * i) /= rho_ * masses_(i);
     candidate.change = change.cwiseAbs().maxCoeff();
+    // Farther from b it does not count.
     candidate.changed_residual =
-        law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w + change);
+        candidate.change <= options_.resolution
+            ? law_residual(laws_, motion_.diagonal(), size, candidate.lambda, candidate.w + change)
+            : std::numeric_limits<double>::infinity();
     return candidate;
   }
 
@@ -171,11 +171,10 @@ class ProximalPoints {
   const ContactMotion& motion_;
   const std::function<double(const VecX&)>& size_of_;
   const ProximalPointOptions& options_;
-  VecX masses_;  ///< effective_masses: n.
-  VecX lambda_;  ///< λ⁰.
-  VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
+  VecX masses_;             ///< effective_masses: n.
+  ProximalForces from_;     ///< λ⁰.
+  ProximalForces clamped_;  ///< Of the last candidate.
   double rho_;
-  VecX momentum_, velocity_;  ///< Scratch.
   SearchByForces by_forces_;
   bool is_bold_;                      ///< Whether the forces are unknowns, too.
   std::optional<Candidate> best_;     ///< Of the least residual.

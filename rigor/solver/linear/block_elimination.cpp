@@ -173,6 +173,7 @@ void BlockElimination::scale() {
 
 /// Partial pivoting within the block (Golub and Van Loan, Matrix Computations, 2013, algorithm 3.4.1).
 bool BlockElimination::factor_pivot(Block6& A, Swaps& swapped) {
+#pragma GCC unroll 6
   for (int k = 0; k < 6; ++k) {
     // The largest entry of the column that is left becomes the pivot.
     int largest = k;

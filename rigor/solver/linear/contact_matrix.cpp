@@ -26,6 +26,7 @@ ContactMatrix::ContactMatrix(const ContactRows& rows, const EliminationPlan& pla
   slots_.reserve(4 * count);
   for (const ContactRows::Sides& sides : rows.contacts) add_sides(sides);
   first_.push_back(rows_.size());
+  squares_.resize(count);
 }
 
 void ContactMatrix::add_sides(const ContactRows::Sides& sides) {
@@ -95,13 +96,29 @@ void ContactMatrix::add_contact(std::size_t contact, const Mat3& D) {
     Pair& pair = pairs_[at(pair_of_[contact])];
     if (!pair.is_used) pair.sum.setZero();
     pair.is_used = true;
-    add_product(rows_[begin], D, rows_[begin], pair.sum);
+    add_square(contact, D, pair.sum);
+    return;
+  }
+  if (end - begin == 1) {
+    add_square(contact, D, blocks_.block(slots_[first_slot_[contact]]));
     return;
   }
   const std::size_t* slot = slots_.data() + first_slot_[contact];
   for (std::size_t left = begin; left < end; ++left)
     for (std::size_t right = begin; right < end; ++right, ++slot)
       if (blocks_.is_read(*slot)) add_product(rows_[left], D, rows_[right], blocks_.block(*slot));
+}
+
+/// block += Jᵀ D J with the rows of the contact's first side. What sticks has a D that is a number.
+void ContactMatrix::add_square(std::size_t contact, const Mat3& D, Block6& block) {
+  const Rows& J = rows_[first_[contact]];
+  if (D != D(0, 0) * Mat3::Identity()) {
+    add_product(J, D, J, block);
+    return;
+  }
+  std::optional<Block6>& square = squares_[contact];
+  if (!square) square = J.transpose().lazyProduct(J);
+  block += D(0, 0) * *square;
 }
 
 /// block += leftᵀ D right, two columns at a time.

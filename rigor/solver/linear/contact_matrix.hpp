@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace rigor {
@@ -50,6 +51,7 @@ class ContactMatrix {
   void add_sides(const ContactRows::Sides& sides);
   int pair_of(const ContactRows::Side& A, const ContactRows::Side& B);
   void add_contact(std::size_t contact, const Mat3& D);
+  void add_square(std::size_t contact, const Mat3& D, Block6& block);
   void add_pair(const Pair& pair);
   static void add_product(const Rows& left, const Mat3& D, const Rows& right, Block6& block);
 
@@ -61,7 +63,8 @@ class ContactMatrix {
   std::vector<std::size_t> first_;  ///< Side of each contact, and the end.
   std::vector<std::size_t> slots_;  ///< Of each two sides of a contact, by rows.
   std::vector<std::size_t> first_slot_;
-  std::vector<int> pair_of_;  ///< One a contact: its pair, or none.
+  std::vector<std::optional<Block6>> squares_;  ///< Jᵀ J of the first side of a contact, once asked for.
+  std::vector<int> pair_of_;                    ///< One a contact: its pair, or none.
   std::vector<Pair> pairs_;
   mutable VecX scaled_;  ///< Scratch.
 };

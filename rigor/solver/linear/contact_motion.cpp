@@ -52,7 +52,11 @@ void FactoredMotion::solve(const VecX& g, VecX& v) const {
 }
 
 SparseMotion::SparseMotion(const ContactRows& rows)
-    : rows_(rows), plan_(elimination_plan(rows)), diagonal_(contact_diagonal(rows)), matrix_(rows_, plan_) {}
+    : rows_(rows),
+      packed_(rows),
+      plan_(elimination_plan(rows)),
+      diagonal_(contact_diagonal(rows)),
+      matrix_(rows_, plan_) {}
 
 void SparseMotion::factor(const std::vector<Mat3>& D, Symmetry symmetry) const {
   if (matrix_.is_possible())

@@ -3,6 +3,7 @@
 #include "rigor/solver/linear/contact_rows.hpp"
 #include "rigor/solver/linear/jointed_matrix.hpp"
 #include "rigor/solver/linear/node_system.hpp"
+#include "rigor/solver/linear/packed_contacts.hpp"
 
 #include <optional>
 #include <vector>
@@ -82,9 +83,9 @@ class SparseMotion : public ContactMotion {
   const EliminationPlan& plan() const { return plan_; }
   using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
       ContactMotion::apply_mass, ContactMotion::solve;
-  void rates(const VecX& v, VecX& w) const override { contact_rates(rows_, v, w); }
+  void rates(const VecX& v, VecX& w) const override { packed_.rates(v, w); }
   void apply_transpose(const VecX& lambda, VecX& p) const override {
-    contact_wrenches(rows_, lambda, p);
+    packed_.wrenches(lambda, p);
     if (rows_.joints) p = with_joints(rows_, p);
   }
   void apply_mass(const VecX& v, VecX& p) const override { node_wrenches(rows_, v, p); }
@@ -95,6 +96,7 @@ class SparseMotion : public ContactMotion {
 
  private:
   const ContactRows& rows_;
+  PackedContacts packed_;
   EliminationPlan plan_;
   VecX diagonal_;
   mutable JointedMatrix matrix_;            ///< Of the Newton steps;

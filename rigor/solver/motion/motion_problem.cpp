@@ -72,7 +72,8 @@ class MotionSolver {
   }
 
   /// Whether some motion may stop all contacts at once: stiff springs in their place leave next to nothing of
-  /// their rates. It costs one elimination, less than half of what it takes to find forces that hold.
+  /// their rates, and neither pull on a pair of bodies nor drag beyond its cone. It costs one elimination,
+  /// less than half of what it takes to find forces that hold.
   bool may_hold() const {
     constexpr double kStiffness = 1e6, kShare = 1e-2;  // Times the mass of each contact; of the rates.
     const bool are_free = std::all_of(laws_.rows.begin(), laws_.rows.end(),
@@ -94,6 +95,40 @@ class MotionSolver {
       const double of_contact =
           laws_.mu[k] > 0 ? left.segment<3>(row).cwiseAbs().maxCoeff() : std::abs(left(row + 2));
       if (of_contact > most) return false;
+    }
+    VecX pushes(left.size());
+    for (std::size_t k = 0; k < D.size(); ++k) {
+      const Index row = 3 * static_cast<Index>(k);
+      pushes.segment<3>(row) = -D[k] * left.segment<3>(row);
+    }
+    return laws_.mu.size() >= kFewestInside || may_push(pushes);
+  }
+
+  /// Whether contacts may have such forces by their sum: those of one pair of bodies with one normal must
+  /// together lie in the cone, in whatever way they share them.
+  bool may_push(const VecX& forces) const {
+    constexpr double kSameNormal = 1e-6, kShare = 0.3;  // Of the largest force.
+    const double negligible = kShare * forces.cwiseAbs().maxCoeff();
+    const std::vector<ContactRows::Sides>& contacts = problem_.rows.contacts;
+    for (std::size_t begin = 0, end; begin < contacts.size(); begin = end) {
+      // The contacts that follow each other on the same two nodes; the first one with a body shows the axes.
+      const ContactRows::Sides& first = contacts[begin];
+      const auto side = std::ranges::find_if(first, [](const ContactRows::Side& s) { return s.node >= 0; });
+      const auto place = static_cast<std::size_t>(side - first.begin());
+      Vec3 sum = Vec3::Zero();
+      bool is_flat = side != first.end();
+      for (end = begin; end < contacts.size(); ++end) {
+        if (contacts[end][0].node != first[0].node || contacts[end][1].node != first[1].node) break;
+        if (!is_flat) continue;
+        const Mat3 axes = contacts[end][place].J.leftCols<3>();
+        sum += axes.transpose() * forces.segment<3>(3 * static_cast<Index>(end));
+        is_flat = laws_.mu[end] == laws_.mu[begin] &&
+                  (axes.row(2) - side->J.row(2).head<3>()).cwiseAbs().maxCoeff() <= kSameNormal;
+      }
+      if (!is_flat) continue;
+      const Vec3 n = side->J.row(2).head<3>();
+      const double push = n.dot(sum), drag = (sum - push * n).norm();
+      if (push < -negligible || drag > laws_.mu[begin] * push + negligible) return false;
     }
     return true;
   }

@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/work_count.hpp"
+#include "rigor/solver/linear/two_doubles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,9 @@ namespace {
 /// A contact with what its forces do to its bodies.
 struct SweptContact {
   struct Side {
-    int node;
-    Eigen::Matrix<double, 6, 3> J_T, response;  ///< Jᵀ, M⁻¹ Jᵀ.
+    Index node;                            ///< Place of its six numbers.
+    Eigen::Matrix<double, 4, 6> J;         ///< By columns, with a row of zeros: two numbers at a time.
+    Eigen::Matrix<double, 6, 3> response;  ///< M⁻¹ Jᵀ.
   };
   std::array<Side, 2> sides;
   int side_count = 0;
@@ -30,12 +32,38 @@ SweptContact swept_contact(const ContactRows& rows, const ContactRows::Sides& si
   for (const ContactRows::Side& side : sides) {
     if (side.node < 0 || contact.side_count == 2) continue;
     SweptContact::Side& own = contact.sides[at(contact.side_count++)];
-    own = {side.node, side.J.transpose(), rows.inverse_masses[at(side.node)] * side.J.transpose()};
+    own.node = 6 * static_cast<Index>(side.node);
+    own.J.topRows<3>() = side.J;
+    own.J.row(3).setZero();
+    own.response = rows.inverse_masses[at(side.node)] * side.J.transpose();
     A += side.J * own.response;
   }
   if (A(2, 2) > 0) contact.normal = 1 / A(2, 2);
   if (A(0, 0) + A(1, 1) > 0) contact.tangent = 1 / (A(0, 0) + A(1, 1));
   return contact;
+}
+
+/// w += J V.
+void add_rates(const SweptContact::Side& side, const VecX& V, Vec3& w) {
+  const double *J = side.J.data(), *v = V.data() + side.node;
+  TwoDoubles tangents = two_of(w.data()), normal{w(2), 0};
+  for (int c = 0; c < 6; ++c, J += 4) {
+    tangents += v[c] * two_of(J);
+    normal += v[c] * two_of(J + 2);
+  }
+  put_two(tangents, w.data());
+  w(2) = normal[0];
+}
+
+/// V += M⁻¹ Jᵀ change.
+void add_response(const SweptContact::Side& side, const Vec3& change, VecX& V) {
+  const double* response = side.response.data();
+  double* v = V.data() + side.node;
+  for (int c = 0; c < 6; c += 2) {
+    const TwoDoubles gained = change(0) * two_of(response + c) +
+                              (change(1) * two_of(response + 6 + c) + change(2) * two_of(response + 12 + c));
+    put_two(two_of(v + c) + gained, v + c);
+  }
 }
 
 }  // namespace
@@ -55,8 +83,7 @@ VecX swept_forces(const MotionProblem& problem, int sweeps) {
       // The rates as they are.
       const SweptContact& contact = contacts[i];
       Vec3 w = laws.b.segment<3>(3 * static_cast<Index>(i));
-      for (int s = 0; s < contact.side_count; ++s)
-        w += contact.sides[at(s)].J_T.transpose() * V.segment<6>(6 * contact.sides[at(s)].node);
+      for (int s = 0; s < contact.side_count; ++s) add_rates(contact.sides[at(s)], V, w);
 
       // The forces that they ask for, in their cone.
       auto own = lambda.segment<3>(3 * static_cast<Index>(i));
@@ -67,9 +94,9 @@ VecX swept_forces(const MotionProblem& problem, int sweeps) {
 
       // What they change.
       const Vec3 change = force - own;
+      if (change.isZero(0)) continue;
       own = force;
-      for (int s = 0; s < contact.side_count; ++s)
-        V.segment<6>(6 * contact.sides[at(s)].node) += contact.sides[at(s)].response * change;
+      for (int s = 0; s < contact.side_count; ++s) add_response(contact.sides[at(s)], change, V);
     }
   }
   return lambda;
