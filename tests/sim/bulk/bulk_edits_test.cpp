@@ -198,8 +198,9 @@ TEST_P(RandomEdits, HaveTheSameBitsOnTwoThreadsAndWhetherOrNotTheStateIsAskedFor
       meddler.meddle({&one, &two});
       if (k % 2 == 0) one.state();
     }
-    one.step();
-    two.step();
+    const BulkStepReport first = one.step(), second = two.step();
+    ASSERT_EQ(first.broken_body, second.broken_body) << "step " << k;
+    if (first.broken_body >= 0) return;  // See above.
     ASSERT_EQ(difference(one.state(), two.state()), "") << "step " << k;
   }
 }
