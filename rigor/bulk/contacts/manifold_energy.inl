@@ -36,18 +36,22 @@ RIGOR_FLOAT_LANES FourDoubles positive_part(const FourDoubles& a) {
   return a > zero ? a : zero;
 }
 
+/// Displacements of the bodies A and B of a block in the step.
+struct LaneWays {
+  LaneTwists A, B;
+};
+
 /// Of four lanes.
 template <BlockKind kind>
 RIGOR_FLOAT_LANES FourDoubles spring_energies_of(const ManifoldBlock<kind>& block,
-                                                 const BlockImpulses<kind>& total, const LaneTwists& A,
-                                                 const LaneTwists& B, const SpringStep& step,
-                                                 const LaneArray& held, int half) {
+                                                 const BlockImpulses<kind>& total, const LaneWays& ways,
+                                                 const SpringStep& step, const LaneArray& held, int half) {
   const auto rows_of = [&](const LaneArray(&rows)[3]) {
     return four_vectors_of(rows[0], rows[1], rows[2], half);
   };
   const auto lanes_of = [&](const FloatVec3& a) { return four_vectors_of(a.x, a.y, a.z, half); };
-  const FourVectors n = rows_of(block.n), turn_A = lanes_of(A.w), turn_B = lanes_of(B.w);
-  const FourVectors way_A = lanes_of(A.v), way_B = lanes_of(B.v);
+  const FourVectors n = rows_of(block.n), turn_A = lanes_of(ways.A.w), turn_B = lanes_of(ways.B.w);
+  const FourVectors way_A = lanes_of(ways.A.v), way_B = lanes_of(ways.B.v);
   const FourVectors by_B = cross_of(turn_B, rows_of(block.rB)), by_A = cross_of(turn_A, rows_of(block.rA));
   // Displacements of the step that change the gaps: u_n of section 2 with displacements in place of
   // velocities.
@@ -85,11 +89,11 @@ RIGOR_FLOAT_LANES FourDoubles spring_energies_of(const ManifoldBlock<kind>& bloc
 template <BlockKind kind>
 void find_spring_energies(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total,
                           const BulkBodies& bodies, const SpringStep& step, LaneArray& energies) {
-  const LaneTwists A = gather_displacements(block.body_A, bodies),
-                   B = gather_displacements(block.body_B, bodies);
+  const LaneWays ways = {gather_displacements(block.body_A, bodies),
+                         gather_displacements(block.body_B, bodies)};
   const LaneArray held = energies;
   for (int half = 0; half < 2; ++half) {
-    const FourDoubles found = spring_energies_of(block, total, A, B, step, held, half);
+    const FourDoubles found = spring_energies_of(block, total, ways, step, held, half);
     for (int i = 0; i < 4; ++i) energies[at(4 * half + i)] = static_cast<float>(found[i]);
   }
 }
