@@ -138,6 +138,7 @@ class BulkWorld {
     std::vector<int> filters;  ///< That collide with others than before.
     std::vector<char> is_new;  ///< Whether it is one of `bodies`, by body; empty if there are none.
     bool are_ties_new = false;
+    bool are_surfaces_new = false;
     bool is_any() const { return are_ties_new || !bodies.empty() || !filters.empty(); }
   };
 

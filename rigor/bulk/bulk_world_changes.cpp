@@ -54,7 +54,7 @@ void BulkWorld::change_laws(int joint) {
 }
 
 void BulkWorld::change_surfaces() {
-  scratch_->contacts.set_surfaces(*model_);
+  changes_.are_surfaces_new = true;
 }
 
 void BulkWorld::change_gravity() {
@@ -70,6 +70,7 @@ void BulkWorld::take_given(const BulkWorld& from) {
 }
 
 void BulkWorld::settle_changes() {
+  if (std::exchange(changes_.are_surfaces_new, false)) scratch_->contacts.set_surfaces(*model_);
   if (!changes_.is_any()) return;
   Scratch& s = *scratch_;
   const std::vector<int> bodies = sorted_unique(std::move(changes_.bodies));

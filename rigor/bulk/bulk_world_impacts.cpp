@@ -18,7 +18,9 @@ bool BulkWorld::settles_impacts() const {
 /// Gives what contacts do to held bodies in a substep, on average, to the joints of these.
 void BulkWorld::load_joints_of_held() {
   Scratch& s = *scratch_;
-  const auto is_wanted = [&](int a, int b, bool) { return s.held.contains(a) || s.held.contains(b); };
+  const auto is_wanted = [&](int a, int b, bool, bool is_pressed) {
+    return is_pressed && (s.held.contains(a) || s.held.contains(b));
+  };
   s.contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
     const ManifoldWrench on_B = total_wrench(manifold);
     for (const bool is_B : {false, true}) {

@@ -32,7 +32,15 @@ void StepBalance::change(const Model& model, const ChangedBodies& changed) {
     masses_[at(body)] = model.body(body).mass;
     is_free_[at(body)] = model.body(body).motion == MotionType::dynamic;
   }
-  if (changed.are_ties_new) find_free(model);
+  if (changed.are_ties_new) return find_free(model);
+  list_free();
+}
+
+void StepBalance::list_free() {
+  free_.clear();
+  for (std::size_t i = 0; i < is_free_.size(); ++i) {
+    if (is_free_[i] != 0) free_.push_back(static_cast<int>(i));
+  }
 }
 
 void StepBalance::find_free(const Model& model) {
@@ -56,34 +64,22 @@ void StepBalance::find_free(const Model& model) {
     const int island = islands.island_of(i);
     is_free_.push_back(island >= 0 && !is_grounded[at(island)]);
   }
+  list_free();
 }
 
 void StepBalance::begin(const BulkBodies& bodies) {
-  begin_ = momentum(bodies);
-  momenta_ = sum_of_momenta(bodies);
+  begin_ = momenta_of(bodies);
 }
 
-Vec3 StepBalance::momentum(const BulkBodies& bodies) const {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < bodies.count(); ++i) {
-    if (!is_booked(bodies, i)) continue;
-    sum += masses_[at(i)] * (vector_of(bodies.motion[at(i)].v) + vector_of(bodies.finer_v[at(i)].data()));
+StepBalance::Momenta StepBalance::momenta_of(const BulkBodies& bodies) const {
+  Momenta all;
+  for (const int i : free_) {
+    if (!bodies.is_dynamic(i)) continue;
+    const Vec3 v = vector_of(bodies.motion[at(i)].v);
+    all.sum += masses_[at(i)] * (v + vector_of(bodies.finer_v[at(i)].data()));
+    all.sum_of_norms += masses_[at(i)] * v.norm();
   }
-  return sum;
-}
-
-double StepBalance::sum_of_momenta(const BulkBodies& bodies) const {
-  double sum = 0;
-  for (int i = 0; i < bodies.count(); ++i) {
-    if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v).norm();
-  }
-  return sum;
-}
-
-void StepBalance::book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse,
-                       Vec3& given) const {
-  if (is_booked(bodies, body_B) && !is_booked(bodies, body_A)) given += impulse;
-  if (is_booked(bodies, body_A) && !is_booked(bodies, body_B)) given -= impulse;
+  return all;
 }
 
 void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
@@ -91,18 +87,26 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
                       BulkStepReport& report) const {
   // Forces give their impulse to the bodies of the balance.
   Vec3 given = Vec3::Zero();
-  report.rounded_momentum = std::max(momenta_, sum_of_momenta(bodies));
-  for (int i = 0; i < bodies.count(); ++i) {
-    if (!is_booked(bodies, i)) continue;
+  const Momenta now = momenta_of(bodies);
+  report.rounded_momentum = std::max(begin_.sum_of_norms, now.sum_of_norms);
+  for (const int i : free_) {
+    if (!bodies.is_dynamic(i)) continue;
     const Vec3 impulse = h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
     given += impulse;
     report.rounded_momentum += impulse.norm();
   }
+  // What a contact gives to the bodies of the balance, if it is not between two of them.
+  const auto book = [&](int body_A, int body_B, const Vec3& impulse) {
+    const bool is_A = is_booked(bodies, body_A), is_B = is_booked(bodies, body_B);
+    if (is_A != is_B) given += is_B ? impulse : Vec3(-impulse);
+    report.rounded_momentum += impulse.norm();
+  };
   // Contacts give the impulse that comes from other bodies; impacts and the work of kinematic bodies are read
-  // on the way. Contacts that last between two bodies of the balance give it nothing.
-  const auto is_wanted = [&](int a, int b, bool is_new) {
-    return is_new || is_booked(bodies, a) != is_booked(bodies, b) ||
-           bodies.is_dynamic(a) != bodies.is_dynamic(b);
+  // on the way. Contacts that last between two bodies of the balance give it nothing, nor do those that were
+  // near and not pressed.
+  const auto is_wanted = [&](int a, int b, bool is_new, bool is_pressed) {
+    return is_pressed && (is_new || is_booked(bodies, a) != is_booked(bodies, b) ||
+                          bodies.is_dynamic(a) != bodies.is_dynamic(b));
   };
   const auto note = [&](const SolvedManifold& manifold, std::size_t number) {
     const int body_A = manifold.body_A, body_B = manifold.body_B;
@@ -111,8 +115,7 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
       const Vec3 p_W = bodies.x[at(body_A)] + found_arm(manifold, bodies);
       report.impacts.push_back({body_A, body_B, p_W, on_B.impulse});
     }
-    book(bodies, body_A, body_B, on_B.impulse, given);
-    report.rounded_momentum += on_B.impulse.norm();
+    book(body_A, body_B, on_B.impulse);
     report.work += work_of_mover(manifold, bodies);
   };
   contacts.for_contacts(is_wanted, note);
@@ -120,8 +123,7 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed)
       report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
-    book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
-    report.rounded_momentum += contact.impulse_W().norm();
+    book(contact.body_A, contact.body_B, contact.impulse_W());
   }
   // Impacts are put into the order of bodies, whatever the blocks are. The change of momentum that nothing
   // gave is the error.
@@ -129,7 +131,7 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
                    [](const BulkImpact& a, const BulkImpact& b) {
                      return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
                    });
-  report.momentum_error = momentum(bodies) - begin_ - given;
+  report.momentum_error = now.sum - begin_.sum - given;
 }
 
 }  // namespace rigor

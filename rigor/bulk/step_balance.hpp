@@ -29,19 +29,21 @@ class StepBalance {
 
  private:
   void find_free(const Model& model);
-  /// Adds to `given` what an impulse on B gives to the bodies of the balance, if it is not between two of
-  /// them.
-  void book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse, Vec3& given) const;
+  void list_free();
   bool is_booked(const BulkBodies& bodies, int body) const {
-    return is_free_[at(body)] && bodies.is_dynamic(body);
+    return is_free_[at(body)] != 0 && bodies.is_dynamic(body);
   }
-  Vec3 momentum(const BulkBodies& bodies) const;
-  double sum_of_momenta(const BulkBodies& bodies) const;
+  /// Of the bodies of the balance [kg m/s].
+  struct Momenta {
+    Vec3 sum = Vec3::Zero();
+    double sum_of_norms = 0;  ///< Without the bits of velocities beyond 32.
+  };
+  Momenta momenta_of(const BulkBodies& bodies) const;
 
   std::vector<double> masses_;  ///< [kg].
-  std::vector<bool> is_free_;
-  Vec3 begin_ = Vec3::Zero();  ///< Momentum at the beginning [kg m/s].
-  double momenta_ = 0;         ///< Sum of the bodies' own, Σ m |v|, at the beginning [kg m/s].
+  std::vector<char> is_free_;   ///< Of each body: whether its momentum is balanced while it is awake.
+  std::vector<int> free_;       ///< Those of which it is.
+  Momenta begin_;
 };
 
 }  // namespace rigor

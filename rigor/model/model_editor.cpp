@@ -56,6 +56,7 @@ ModelEditor::ModelEditor(const Model& model, int places)
   Model& own = *model_;
   own.bodies_.resize(at(places), vacant_body());
   tie_counts_.resize(at(places), 0);
+  material_uses_.resize(materials_.materials.size(), 0);
   for (int i = 0; i < static_cast<int>(materials_.materials.size()); ++i) {
     if (materials_.materials[at(i)].name.empty())
       free_materials_.push_back(i);
@@ -69,6 +70,7 @@ ModelEditor::ModelEditor(const Model& model, int places)
       continue;
     }
     shared_.share(body.shapes);
+    count_materials(body, 1);
     if (std::isfinite(body.bounding_radius)) ++radii_[body.bounding_radius];
     if (has_cavity(body)) cavity_bodies_.insert(i);
   }
@@ -77,6 +79,7 @@ ModelEditor::ModelEditor(const Model& model, int places)
   for (const auto& pair : own.excluded_pairs_) exclusions_[pair] = 0;
   for (const Joint& joint : own.joints_) {
     joint_names_.insert(joint.name);
+    if (joint.type == JointType::gear) ++gear_count_;
     const auto excluded = exclusions_.find(std::minmax(joint.body_A, joint.body_B));
     if (excluded != exclusions_.end()) ++excluded->second;
     for (const int body : {joint.body_A, joint.body_B}) tie_counts_[body < 0 ? 0 : at(body)] += body >= 0;
@@ -138,10 +141,16 @@ int ModelEditor::add_body(BodyDescription description, double t) {
   return place;
 }
 
+/// A body with its shapes has come (1) or goes (-1).
+void ModelEditor::count_materials(const Body& body, int by) {
+  for (const BodyShape& shape : body.shapes) material_uses_[at(shape.material)] += by;
+}
+
 /// Puts a body into a vacant place.
 void ModelEditor::put(int place, Body body) {
   Model& model = *model_;
   shared_.share(body.shapes);
+  count_materials(body, 1);
   if (std::isfinite(body.bounding_radius)) ++radii_[body.bounding_radius];
   if (has_cavity(body)) cavity_bodies_.insert(place);
   const auto name_of = [&](int i) -> const std::string& { return model.bodies_[at(i)].name; };
@@ -159,6 +168,7 @@ void ModelEditor::clear(int place) {
   const auto radius = radii_.find(body.bounding_radius);
   if (radius != radii_.end() && --radius->second == 0) radii_.erase(radius);
   cavity_bodies_.erase(place);
+  count_materials(body, -1);
   body = vacant_body();
 }
 

@@ -48,7 +48,8 @@ class ModelEditor {
                 const std::array<Pose, 2>& poses);
   /// A gear between two joints.
   int add_gear(const ModelBuilder::JointDescription& description, std::array<int, 2> joints);
-  /// Removes a joint with its gears.
+  /// Removes a joint with its gears. Joints that go keep their numbers, and so do the others, until
+  /// take_joint_changes(): what many cost that go at once is little more than what one does.
   void remove_joint(int joint);
   /// The laws along a coordinate of a joint. Returns whether others act than before: if not, only their
   /// numbers have changed, which is no change of joints.
@@ -72,14 +73,20 @@ class ModelEditor {
     std::vector<int> bodies;
   };
   JointChanges take_joint_changes();
+  /// The numbers of the joints that went since the last call of this, as they have them until the joints'
+  /// changes are taken.
+  std::vector<int> take_leaving_joints() { return std::exchange(left_, {}); }
 
  private:
   Body make(BodyDescription description, int place, double t);
   void put(int place, Body body);
+  void count_materials(const Body& body, int by);
   void clear(int place);
   void drop_ties_of(int body);
   void drop_idle_joints();
-  void erase_joints(const std::vector<char>& goes);
+  bool is_leaving(std::size_t joint) const { return joint < leaves_.size() && leaves_[joint] != 0; }
+  void let_go(std::size_t joint);
+  void erase_leaving();
   int append_joint(Joint joint, bool collides);
   void begin_joint_changes();
   void change_exclusion(int a, int b, int by);
@@ -88,6 +95,7 @@ class ModelEditor {
   std::shared_ptr<Model> model_;
   MaterialTable materials_;
   std::vector<int> free_materials_;
+  std::vector<int> material_uses_;  ///< How many shapes of bodies that are there have each material.
   ShapeMemory memory_;
   SharedShapes shared_;
   std::set<int> vacant_;
@@ -98,6 +106,9 @@ class ModelEditor {
   std::map<double, int> radii_;                    ///< Of bounded bodies, with their number.
   std::set<int> cavity_bodies_;
   JointChanges changes_;
+  std::vector<char> leaves_;  ///< Whether each joint goes when its changes are taken; empty if none does.
+  std::vector<int> left_;     ///< See take_leaving_joints().
+  int gear_count_ = 0;
 };
 
 }  // namespace rigor

@@ -40,6 +40,7 @@ void ModelEditor::begin_joint_changes() {
 }
 
 ModelEditor::JointChanges ModelEditor::take_joint_changes() {
+  if (!leaves_.empty()) erase_leaving();
   JointChanges taken = std::move(changes_);
   changes_ = {};
   taken.bodies = sorted_unique(std::move(taken.bodies));
@@ -49,12 +50,10 @@ ModelEditor::JointChanges ModelEditor::take_joint_changes() {
 /// Removes the joints, forces and exclusions of a body.
 void ModelEditor::drop_ties_of(int body) {
   begin_joint_changes();
-  std::vector<char> goes(model_->joints().size(), 0);
-  for (std::size_t i = 0; i < goes.size(); ++i) {
+  for (std::size_t i = 0; i < model_->joints().size(); ++i) {
     const Joint& joint = model_->joints_[i];
-    goes[i] = joint.type != JointType::gear && (joint.body_A == body || joint.body_B == body);
+    if (joint.type != JointType::gear && (joint.body_A == body || joint.body_B == body)) let_go(i);
   }
-  erase_joints(goes);
   // The entry may be erased, so that the next one is found first.
   for (auto entry = exclusions_.begin(); entry != exclusions_.end();) {
     const auto [a, b] = entry->first;
@@ -78,51 +77,56 @@ void ModelEditor::drop_idle_joints() {
   const auto is_dynamic = [&](int body) {
     return body != world_body && model_->body(body).motion == MotionType::dynamic;
   };
-  std::vector<char> goes(model_->joints().size(), 0);
-  for (std::size_t i = 0; i < goes.size(); ++i) {
+  for (std::size_t i = 0; i < model_->joints().size(); ++i) {
     const Joint& joint = model_->joints_[i];
-    goes[i] = joint.type != JointType::gear && !is_dynamic(joint.body_A) && !is_dynamic(joint.body_B);
+    if (joint.type != JointType::gear && !is_dynamic(joint.body_A) && !is_dynamic(joint.body_B)) let_go(i);
   }
-  erase_joints(goes);
 }
 
-/// Removes joints, and gears of theirs.
-void ModelEditor::erase_joints(const std::vector<char>& to_go) {
+/// Lets a joint go, and gears of it: a gear cannot stand without the joints that it ties.
+void ModelEditor::let_go(std::size_t joint) {
+  if (is_leaving(joint)) return;
   begin_joint_changes();
+  leaves_.resize(model_->joints().size(), 0);
+  leaves_[joint] = 1;
+  left_.push_back(static_cast<int>(joint));
+  // Its name, counts and exclusion go at once.
+  const Joint& own = model_->joints_[joint];
+  joint_names_.erase(own.name);
+  for (const int body : {own.body_A, own.body_B}) {
+    if (body == world_body) continue;
+    --tie_counts_[at(body)];
+    changes_.bodies.push_back(body);
+  }
+  change_exclusion(own.body_A, own.body_B, -1);
+  if (own.type == JointType::gear) --gear_count_;
+  for (std::size_t i = 0; gear_count_ > 0 && i < model_->joints().size(); ++i) {
+    const Joint& gear = model_->joints_[i];
+    if (gear.type == JointType::gear && (at(gear.first_joint) == joint || at(gear.second_joint) == joint))
+      let_go(i);
+  }
+}
+
+/// Takes the joints that go out of the Model; those that stay move up.
+void ModelEditor::erase_leaving() {
   std::vector<Joint>& joints = model_->joints_;
-  // A gear cannot stand without the joints that it ties.
-  std::vector<char> goes = to_go;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (joints[i].type == JointType::gear)
-      goes[i] = goes[i] != 0 || goes[at(joints[i].first_joint)] != 0 || goes[at(joints[i].second_joint)] != 0;
-  }
-  // Those that stay move up; of those that go, name, counts and exclusions go too.
   std::vector<int> number(joints.size(), -1);  // Of those that stay.
-  std::vector<Joint> kept;
-  std::vector<int> was;
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    Joint& joint = joints[i];
-    if (goes[i] == 0) {
-      number[i] = static_cast<int>(kept.size());
-      was.push_back(changes_.was[i]);
-      kept.push_back(std::move(joint));
-      continue;
-    }
-    joint_names_.erase(joint.name);
-    for (const int body : {joint.body_A, joint.body_B}) {
-      if (body == world_body) continue;
-      --tie_counts_[at(body)];
-      changes_.bodies.push_back(body);
-    }
-    change_exclusion(joint.body_A, joint.body_B, -1);
+    if (is_leaving(i)) continue;
+    number[i] = static_cast<int>(kept);
+    changes_.was[kept] = changes_.was[i];
+    if (kept != i) joints[kept] = std::move(joints[i]);
+    ++kept;
   }
-  for (Joint& joint : kept) {
+  joints.resize(kept);
+  changes_.was.resize(kept);
+  leaves_.clear();
+  for (Joint& joint : joints) {
     if (joint.type != JointType::gear) continue;
     joint.first_joint = number[at(joint.first_joint)];
     joint.second_joint = number[at(joint.second_joint)];
   }
-  joints = std::move(kept);
-  changes_.was = std::move(was);
 }
 
 /// One reason more or less why two bodies do not collide.
@@ -235,15 +239,14 @@ int ModelEditor::append_joint(Joint joint, bool collides) {
     changes_.bodies.push_back(body);
   }
   if (!collides) change_exclusion(joint.body_A, joint.body_B, 1);
+  if (joint.type == JointType::gear) ++gear_count_;
   model_->joints_.push_back(std::move(joint));
   changes_.was.push_back(-1);
   return static_cast<int>(model_->joints_.size()) - 1;
 }
 
 void ModelEditor::remove_joint(int joint) {
-  std::vector<char> goes(model_->joints().size(), 0);
-  goes[at(joint)] = 1;
-  erase_joints(goes);
+  let_go(at(joint));
 }
 
 namespace {

@@ -31,6 +31,7 @@ int ModelEditor::add_material(const Material& material) {
   if (free_materials_.empty()) {
     materials_.materials.emplace_back();
     model_->materials_.emplace_back();
+    material_uses_.push_back(0);
   } else {
     // The lowest free number, whatever the order in which they became free.
     const auto lowest = std::min_element(free_materials_.begin(), free_materials_.end());
@@ -61,11 +62,7 @@ void ModelEditor::set_pair(int a, int b, const PairCoefficients& coefficients) {
 }
 
 bool ModelEditor::is_in_use(int material) const {
-  const std::vector<Body>& bodies = model_->bodies();
-  return std::any_of(bodies.begin(), bodies.end(), [material](const Body& body) {
-    return std::any_of(body.shapes.begin(), body.shapes.end(),
-                       [material](const BodyShape& shape) { return shape.material == material; });
-  });
+  return material_uses_[at(material)] > 0;
 }
 
 void ModelEditor::remove_material(int material) {

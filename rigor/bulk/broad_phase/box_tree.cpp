@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -12,7 +13,25 @@ namespace rigor {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity(),
+                largest = std::numeric_limits<float>::max();
+
+}  // namespace
+
+FloatBox enclosing_box(const Aabb& box, const Vec3& origin) {
+  constexpr float rounding = 1e-6f;
+  FloatBox outer;
+  for (int k = 0; k < 3; ++k) {
+    const float lower = static_cast<float>(box.lower[k] - origin[k]),
+                upper = static_cast<float>(box.upper[k] - origin[k]);
+    const float slack = rounding * std::max(std::abs(lower), std::abs(upper));
+    outer.lower[k] = std::max(lower - slack, -largest);
+    outer.upper[k] = std::min(upper + slack, largest);
+  }
+  return outer;
+}
+
+namespace {
 
 /// The lower 21 bits of x, with two zeros between each and the next.
 std::uint64_t spread_bits(std::uint64_t x) {
@@ -64,7 +83,9 @@ namespace {
 std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, float cell) {
   std::array<float, 3> low = {infinite, infinite, infinite};
   for (const FloatBox& box : boxes) {
-    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], box.lower[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (box.lower[k] > -largest) low[k] = std::min(low[k], box.lower[k]);
+    }
   }
   // Keys: cells are counted from the lowest corner of all boxes.
   std::vector<BoxTree::Entry> order(boxes.size()), sorting(boxes.size());
@@ -94,10 +115,18 @@ std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, 
 }  // namespace
 
 void BoxTree::build(const std::vector<FloatBox>& boxes, float cell) {
-  fill_blocks(boxes, sorted_by_cells(boxes, cell));
+  // The order of the curve, eight in a block, and where each box is in it.
+  const std::vector<Entry> order = sorted_by_cells(boxes, cell);
+  numbers_.assign((boxes.size() + width - 1) / width * width, -1);
+  places_.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    numbers_[i] = order[i].box;
+    places_[at(numbers_[i])] = static_cast<int>(i);
+  }
+  refit(boxes);
 }
 
-void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<Entry>& order) {
+void BoxTree::refit(const std::vector<FloatBox>& boxes) {
   const auto blocks_for = [](std::size_t count) { return (count + width - 1) / width; };
   std::size_t depth = 0;
   const auto level_of = [&](std::size_t count) -> std::vector<Block>& {
@@ -105,18 +134,12 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<
     levels_[depth].resize(blocks_for(count));
     return levels_[depth++];
   };
-  // The first level: the boxes in the order of the curve, eight in a block.
-  numbers_.resize(blocks_for(boxes.size()) * width);
+  // The first level: the boxes, and the union of each block.
   unions_.resize(blocks_for(boxes.size()));
   std::vector<Block>& first = level_of(boxes.size());
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    numbers_[i] = i < boxes.size() ? order[i].box : -1;
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
     set_lane(i < boxes.size() ? boxes[at(numbers_[i])] : nothing(), static_cast<int>(i % width),
              first[i / width]);
-  }
-  // Where each box is, for replace(), and the union of each block.
-  places_.resize(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) places_[at(numbers_[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < first.size(); ++i) unions_[i] = union_of(first[i]);
   // Level upon level until one block is left: its lanes are the unions of eight blocks below.
   for (std::size_t count = unions_.size(); count > 1; count = blocks_for(count)) {

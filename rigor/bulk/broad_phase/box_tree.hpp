@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rigor/geometry/shape/aabb.hpp"
+
 #include <cstdint>
 #include <vector>
 
@@ -18,9 +20,12 @@ struct FloatBox {
   }
 };
 
-/// A tree that finds the boxes that overlap or touch, by number, in 32 bits. When it is built, the boxes are
-/// sorted along a space-filling curve; eight neighbours make a block, and eight blocks make a block of the
-/// level above, so that one box is compared with eight at once.
+/// The box in 32 bits that holds a box, relative to an origin; infinite sides are at the largest number.
+FloatBox enclosing_box(const Aabb& box, const Vec3& origin);
+
+/// A tree that finds the boxes that overlap or touch, by number, in 32 bits. No box is infinite. When it is
+/// built, the boxes are sorted along a space-filling curve; eight neighbours make a block, and eight blocks
+/// make a block of the level above, so that one box is compared with eight at once.
 class BoxTree {
  public:
   static constexpr int width = 8;
@@ -32,6 +37,9 @@ class BoxTree {
   /// Builds the tree. `cell` [m], > 0, is about the size of a box; boxes are sorted by the cells that their
   /// centres are in.
   void build(const std::vector<FloatBox>& boxes, float cell);
+  /// As many boxes as it was built of, in their old places: the farther they have moved since, the slower is
+  /// the search.
+  void refit(const std::vector<FloatBox>& boxes);
   /// Number of blocks that pairs can be asked for.
   int block_count() const { return static_cast<int>(unions_.size()); }
   /// Adds the pairs of different boxes of which one is in this block and the other in it or in a later one,
@@ -58,8 +66,6 @@ class BoxTree {
  private:
   friend struct BoxTreeSearch;
   friend struct BoxSearch;
-
-  void fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<Entry>& order);
 
   std::vector<std::vector<Block>> levels_;  ///< The boxes themselves come first, one single block last.
   std::vector<FloatBox> unions_;            ///< The union of each block of the first level.

@@ -231,11 +231,10 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
     });
     if (!has_energy) return;
     blocks_.for_totals(begin, end, [&](const auto& block, const auto& total, int number) {
-      for_lanes(number, [&](int lane, std::size_t i) {
-        const SolvedManifold own = read_manifold(block, total, lane);
-        memory.set_energy(i,
-                          static_cast<float>(spring_energy(own, bodies, h, substeps, manifolds_.energy(i))));
-      });
+      LaneArray energies{};
+      for_lanes(number, [&](int lane, std::size_t i) { energies[at(lane)] = manifolds_.energy(i); });
+      find_spring_energies(target_, block, total, bodies, {h, substeps}, energies);
+      for_lanes(number, [&](int lane, std::size_t i) { memory.set_energy(i, energies[at(lane)]); });
     });
   });
 }

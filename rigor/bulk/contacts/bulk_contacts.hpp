@@ -77,10 +77,10 @@ class BulkContacts {
   /// added up. number: its own among manifolds().
   template <class Visit>
   void for_contacts(const Visit& visit) const {
-    for_contacts([](int, int, bool) { return true; }, visit);
+    for_contacts([](int, int, bool, bool) { return true; }, visit);
   }
-  /// The same for those of which is_wanted(body_A, body_B, is_new): the others are not read. is_new: it had
-  /// no impulse at the end of the step before.
+  /// The same for those of which is_wanted(body_A, body_B, is_new, is_pressed): the others are not read.
+  /// is_new: it had no impulse at the end of the step before; is_pressed: it had one in this step.
   template <class IsWanted, class Visit>
   void for_contacts(const IsWanted& is_wanted, const Visit& visit) const {
     if (!blocks_.has_totals()) return;
@@ -89,7 +89,10 @@ class BulkContacts {
         const int manifold = manifold_of(number, lane);
         if (manifold < 0) continue;
         const std::size_t i = at(manifold);
-        if (is_wanted(manifolds_.body_A(i), manifolds_.body_B(i), manifolds_.is_new(i)))
+        unsigned pressed = 0;
+        for (const std::uint8_t of_point : block.pressed) pressed |= of_point;
+        const bool is_pressed = (pressed >> lane & 1) != 0;
+        if (is_wanted(manifolds_.body_A(i), manifolds_.body_B(i), manifolds_.is_new(i), is_pressed))
           visit(read(block, total, lane, i), i);
       }
     });

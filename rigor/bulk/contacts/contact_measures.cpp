@@ -44,30 +44,6 @@ double work_of_mover(const SolvedManifold& manifold, const BulkBodies& bodies) {
   return a_moves_it ? on_b : -on_b;
 }
 
-double spring_energy(const SolvedManifold& manifold, const BulkBodies& bodies, double h, int substeps,
-                     double held) {
-  const ManifoldFrame& f = manifold.frame;
-  const MotionRecord& A = bodies.motion[at(manifold.body_A)];
-  const MotionRecord& B = bodies.motion[at(manifold.body_B)];
-  // Displacements of the step that change the gaps, and the gaps after it: u_n of section 2 with
-  // displacements in place of velocities.
-  const Vec3 dr_A = vector_of(A.dr), dr_B = vector_of(B.dr), rotation = dr_B - dr_A;
-  const Vec3 moved = vector_of(B.dp) + dr_B.cross(f.rB) - vector_of(A.dp) - dr_A.cross(f.rA);
-  const double u0 = f.n.dot(moved), u1 = f.t1.dot(rotation), u2 = f.t2.dot(rotation);
-  // At rest λ = -(mass_scale / (1 - mass_scale)) m bias_rate s, an impulse of h k |s|.
-  const double stiffness_of_mass = manifold.mass_scale / (1 - manifold.mass_scale) * manifold.bias_rate / h;
-  double energy = 0, work = 0;
-  for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
-    const SolvedManifold::Point& point = manifold.points[k];
-    const double gap = point.gap + u0 + point.p2 * u1 - point.p1 * u2;
-    const double overlap = std::max(0.0, -gap);
-    const double before = std::max(0.0, -point.gap);
-    energy += 0.5 * point.mass * stiffness_of_mass * overlap * overlap;
-    work += manifold.impulses.normal[k] / (h * substeps) * std::max(0.0, overlap - before);
-  }
-  return std::min(energy, held + work);
-}
-
 double approach_speed(const SolvedManifold& manifold) {
   double speed = 0;
   for (std::size_t k = 0; k < at(manifold.point_count); ++k) {

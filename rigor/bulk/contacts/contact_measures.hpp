@@ -20,13 +20,6 @@ ManifoldWrench total_wrench(const SolvedManifold& manifold);
 /// of that and arms are constant in a step.
 double work_of_mover(const SolvedManifold& manifold, const BulkBodies& bodies);
 
-/// Energy that the springs of a manifold hold at the end of a step of substeps of h [s], in J: Σ ½ k s² over
-/// its points that overlap by s, but not more than they held before (`held`) and the work that has pressed
-/// them in the step: overlaps that an impact makes are not paid for by it. What the soft constraint of
-/// section 3 of docs/theory/bulk.md does at rest is the force of a spring of stiffness k = m ω².
-double spring_energy(const SolvedManifold& manifold, const BulkBodies& bodies, double h, int substeps,
-                     double held);
-
 /// The fastest approach of its points at the beginning of the step [m/s], >= 0, of points that were pressed
 /// in it; 0 if none was.
 double approach_speed(const SolvedManifold& manifold);

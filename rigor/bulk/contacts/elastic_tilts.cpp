@@ -1,5 +1,6 @@
 #include "rigor/bulk/contacts/elastic_tilts.hpp"
 
+#include "rigor/bulk/contacts/tilt_kernels.hpp"
 #include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/core/index.hpp"
 
@@ -15,9 +16,6 @@ namespace {
 constexpr float least_upright = 0.5F;
 /// Fewer points are no face.
 constexpr int least_points = 3;
-/// Points span a face if the determinant of their moments is at least this part of the cube of the trace:
-/// that of a face of the breadth b and the length l is about (b/l)²/8.
-constexpr float least_spread = 1e-4F;
 /// Arms are turned back by so many times the tilts, so that the weight straightens what leans.
 constexpr float overshoot = 2;
 /// The tilts that count are those so many steps from now, which damps what they swing.
@@ -28,65 +26,6 @@ constexpr double standing_part = 2e-5;
 
 float dot3(const float* a, const float* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// A symmetric matrix of floats.
-struct Moments {
-  float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-
-  void add(float weight, const FloatRow& a) {
-    xx += weight * a[0] * a[0], yy += weight * a[1] * a[1], zz += weight * a[2] * a[2];
-    xy += weight * a[0] * a[1], xz += weight * a[0] * a[2], yz += weight * a[1] * a[2];
-  }
-  float trace() const { return xx + yy + zz; }
-};
-
-float determinant_of(const Moments& m) {
-  return m.xx * (m.yy * m.zz - m.yz * m.yz) + m.xy * (m.xz * m.yz - m.xy * m.zz) +
-         m.xz * (m.xy * m.yz - m.xz * m.yy);
-}
-
-/// The solution of M x = b by Cramer's rule, times the determinant of M.
-FloatRow solve_moments(const Moments& m, const FloatRow& b) {
-  const FloatRow x = {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy, 0};
-  const FloatRow y = {x[1], m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, 0};
-  const FloatRow z = {x[2], y[2], m.xx * m.yy - m.xy * m.xy, 0};
-  return b[0] * x + b[1] * y + b[2] * z;
-}
-
-/// The rotation of B against A by the overlaps of the points, and their sum: the slope of the plane through
-/// them by least squares. Zero if the points span no face or do not overlap.
-TiltRow tilt_of(const ManifoldView& manifold) {
-  // The means of the points and of their overlaps; those that are apart overlap by nothing.
-  const float per_count = 1 / static_cast<float>(manifold.point_count);
-  FloatRow centre = {};
-  float overlap = 0;
-  for (int k = 0; k < manifold.point_count; ++k) {
-    const ManifoldPoint& point = manifold.points[k];
-    centre += per_count * FloatRow{point.p[0], point.p[1], point.p[2], 0};
-    overlap -= std::min(point.gap, 0.0F);
-  }
-  if (!(overlap > 0)) return {};
-
-  // A rotation θ opens the gap at p by θ · a, a = p × n: the least squares are Σ a aᵀ θ = Σ a gap. All a are
-  // perpendicular to n, and so is θ; n nᵀ makes the matrix regular.
-  const FloatRow n = {manifold.normal[0], manifold.normal[1], manifold.normal[2], 0};
-  Moments moments;
-  FloatRow sum = {};
-  for (int k = 0; k < manifold.point_count; ++k) {
-    const ManifoldPoint& point = manifold.points[k];
-    const FloatRow a = cross(FloatRow{point.p[0], point.p[1], point.p[2], 0} - centre, n);
-    moments.add(1, a);
-    sum += (std::min(point.gap, 0.0F) + per_count * overlap) * a;
-  }
-  moments.add(moments.trace(), n);
-  const float trace = moments.trace(), determinant = determinant_of(moments);
-  if (!(determinant > least_spread * trace * trace * trace)) return {};
-  FloatRow tilt = solve_moments(moments, sum) / determinant;
-  tilt[3] = overlap;
-  TiltRow row;
-  store_row(tilt, row.data());
-  return row;
 }
 
 }  // namespace
@@ -124,7 +63,7 @@ void ElasticTilts::find(const StepManifolds& manifolds, double h, const Executor
   renew(manifolds.size(), supports_);
   const float ahead = steps_ahead * static_cast<float>(h);
   executor.for_ranges(static_cast<int>(manifolds.size()), 256, [&](int begin, int end) {
-    for (std::size_t i = at(begin); i < at(end); ++i) supports_[i] = support_of(manifolds, i, ahead, bodies);
+    find_supports(manifolds, at(begin), at(end), ahead, bodies);
   });
   if (!list_by_lower(bodies.x.size())) return;
   bodies.tilts.assign(bodies.x.size(), {});
@@ -136,29 +75,43 @@ void ElasticTilts::find(const StepManifolds& manifolds, double h, const Executor
   }
 }
 
-/// The support that a manifold is; ahead [s]: how far from now.
-ElasticTilts::Support ElasticTilts::support_of(const StepManifolds& manifolds, std::size_t i, float ahead,
-                                               const BulkBodies& bodies) const {
-  Support support;
-  if (manifolds.point_count(i) < least_points) return support;
-  const ManifoldView manifold = manifolds.view(i);
-  const float upright = dot3(manifold.normal, up_.data());
-  if (!(std::abs(upright) > least_upright)) return support;
-  const int a = manifolds.body_A(i), b = manifolds.body_B(i);
-  support.upper = upright > 0 ? b : a;
-  support.lower = upright > 0 ? a : b;
-  if (!bodies.is_dynamic(support.upper)) return support;
-
-  // The tilt of B against A, and how fast it grows: their rotation but for that about the normal.
-  const TiltRow tilt = tilt_of(manifold);
-  const FloatRow w = load_row(bodies.motion[at(b)].w) - load_row(bodies.motion[at(a)].w);
-  const FloatRow n = {manifold.normal[0], manifold.normal[1], manifold.normal[2], 0};
-  const float spin = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
-  FloatRow turn = load_row(tilt.data()) + ahead * (w - spin * n);
-  if (!(upright > 0)) turn = -turn;
-  turn[3] = tilt[3];
-  store_row(turn, support.turn.data());
-  return support;
+/// Who stands on whom by the manifolds [begin, end), and their turns, eight at a time; ahead [s]: how far
+/// from now.
+void ElasticTilts::find_supports(const StepManifolds& manifolds, std::size_t begin, std::size_t end,
+                                 float ahead, const BulkBodies& bodies) {
+  TiltLanes lanes;
+  std::array<std::size_t, kLaneCount> numbers{};
+  std::array<TiltRow, kLaneCount> turns;
+  std::size_t count = 0;
+  const auto find_turns_of_lanes = [&] {
+    // Lanes left over repeat the first.
+    for (std::size_t k = count; k < kLaneCount; ++k) {
+      lanes.manifold[k] = lanes.manifold[0];
+      lanes.w_A[k] = lanes.w_A[0], lanes.w_B[k] = lanes.w_B[0], lanes.sign[k] = lanes.sign[0];
+    }
+    target_ == LaneTarget::avx2 ? avx2_lanes::find_turns(lanes, ahead, turns)
+                                : portable_lanes::find_turns(lanes, ahead, turns);
+    for (std::size_t k = 0; k < count; ++k) supports_[numbers[k]].turn = turns[k];
+    count = 0;
+  };
+  for (std::size_t i = begin; i < end; ++i) {
+    Support& support = supports_[i] = {};
+    if (manifolds.point_count(i) < least_points) continue;
+    const ManifoldView manifold = manifolds.view(i);
+    const float upright = dot3(manifold.normal, up_.data());
+    if (!(std::abs(upright) > least_upright)) continue;
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+    support.upper = upright > 0 ? b : a;
+    support.lower = upright > 0 ? a : b;
+    if (!bodies.is_dynamic(support.upper)) continue;
+    lanes.manifold[count] = manifold;
+    lanes.w_A[count] = bodies.motion[at(a)].w;
+    lanes.w_B[count] = bodies.motion[at(b)].w;
+    lanes.sign[count] = upright > 0 ? 1 : -1;
+    numbers[count++] = i;
+    if (count == kLaneCount) find_turns_of_lanes();
+  }
+  if (count > 0) find_turns_of_lanes();
 }
 
 /// Lists the supports by their lower bodies; whether there are any.

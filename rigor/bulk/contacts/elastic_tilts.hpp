@@ -3,6 +3,7 @@
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/threads/executor.hpp"
+#include "rigor/geometry/lanes/lane_target.hpp"
 #include "rigor/model/model.hpp"
 
 #include <array>
@@ -38,11 +39,12 @@ class ElasticTilts {
 
     bool is_there() const { return turn[3] > 0; }
   };
-  Support support_of(const StepManifolds& manifolds, std::size_t i, float ahead,
-                     const BulkBodies& bodies) const;
+  void find_supports(const StepManifolds& manifolds, std::size_t begin, std::size_t end, float ahead,
+                     const BulkBodies& bodies);
   bool list_by_lower(std::size_t body_count);
   void add_up(std::vector<TiltRow>& tilts);
 
+  LaneTarget target_ = best_lane_target();
   std::array<float, 3> up_{};  ///< Against gravity.
   double gravity_ = 0;         ///< [m/s²].
   /// Of bodies: 1 over the square of the angular speed that halves their tilts [s²]; empty without gravity.

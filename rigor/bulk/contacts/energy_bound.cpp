@@ -191,9 +191,11 @@ void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemor
     if (bodies.has_velocity(bodies.is_dynamic(a) ? b : a)) island.is_known = false;
   }
   // What pressed on something fixed in an earlier substep shows in the sums.
-  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t) {
+  const auto is_wanted = [&](int a, int b, bool, bool is_pressed) {
+    return is_pressed && !(bodies.is_dynamic(a) && bodies.is_dynamic(b));
+  };
+  contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
     const bool is_A = bodies.is_dynamic(manifold.body_A);
-    if (is_A && bodies.is_dynamic(manifold.body_B)) return;
     IslandGain& island =
         gains_[at(gain_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
     for (const float impulse : manifold.impulses.normal) island.is_pressed = island.is_pressed || impulse > 0;
@@ -242,7 +244,8 @@ void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
     return;
   // D, as momenta first.
   given_.assign(bodies.x.size(), {});
-  contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t) {
+  const auto is_wanted = [](int, int, bool, bool is_pressed) { return is_pressed; };
+  contacts.for_contacts(is_wanted, [&](const SolvedManifold& manifold, std::size_t) {
     const ManifoldWrench on_B = total_wrench(manifold);
     Wrench &A = given_[at(manifold.body_A)], &B = given_[at(manifold.body_B)];
     A.f_W -= on_B.impulse;

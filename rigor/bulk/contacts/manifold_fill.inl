@@ -17,12 +17,6 @@ RIGOR_FLOAT_LANES FloatLanes inverse_or_zero(const FloatLanes& x) {
   return x > zero ? splat(1) / x : zero;
 }
 
-/// Four floats of each of eight places, transposed.
-RIGOR_FLOAT_LANES TwoSquares gather_fours(const std::array<const float*, kLaneCount>& from) {
-  return transpose({load_halves(from[0], from[4]), load_halves(from[1], from[5]),
-                    load_halves(from[2], from[6]), load_halves(from[3], from[7])});
-}
-
 /// Adds to K the response by the rotation of one body to impulses at the centre of the manifold and to
 /// moments, for the vectors e = n, t1, t2. r: the centre of the manifold from that of the body; I: its
 /// inverse inertia.

@@ -7,14 +7,17 @@
 
 namespace rigor {
 
-/// What fill_block(), warm_start_block() and solve_block() are for one target; for all block_kinds.
-RIGOR_FOR_LANE_TARGETS(template <BlockKind kind>
-                       void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies,
-                                 ManifoldBlock<kind>& block);
-                       template <BlockKind kind>
-                       void warm_start(ManifoldBlock<kind>& block, BulkBodies& bodies);
-                       template <BlockKind kind>
-                       void solve(BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies);)
+/// What fill_block(), warm_start_block(), solve_block() and find_spring_energies() are for one target; for
+/// all block_kinds.
+RIGOR_FOR_LANE_TARGETS(
+    template <BlockKind kind>
+    void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBlock<kind>& block);
+    template <BlockKind kind> void warm_start(ManifoldBlock<kind>& block, BulkBodies& bodies);
+    template <BlockKind kind>
+    void solve(BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies);
+    template <BlockKind kind>
+    void find_spring_energies(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total,
+                              const BulkBodies& bodies, const SpringStep& step, LaneArray& energies);)
 
 /// instantiate(index) for each of block_kinds.
 #define RIGOR_FOR_BLOCK_KINDS(instantiate) \

@@ -1,4 +1,4 @@
-// The kernels of blocks, by target: manifold_fill_*.cpp and manifold_sweep_*.cpp.
+// The kernels of blocks, by target: manifold_fill_*.cpp, manifold_sweep_*.cpp and manifold_energy_*.cpp.
 
 #include "rigor/bulk/contacts/manifold_kernels.hpp"
 
@@ -20,12 +20,22 @@ void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock<kind>
   target == LaneTarget::avx2 ? avx2_lanes::solve(pass, h, block, bodies)
                              : portable_lanes::solve(pass, h, block, bodies);
 }
+template <BlockKind kind>
+void find_spring_energies(LaneTarget target, const ManifoldBlock<kind>& block,
+                          const BlockImpulses<kind>& total, const BulkBodies& bodies, const SpringStep& step,
+                          LaneArray& energies) {
+  target == LaneTarget::avx2 ? avx2_lanes::find_spring_energies(block, total, bodies, step, energies)
+                             : portable_lanes::find_spring_energies(block, total, bodies, step, energies);
+}
 
-#define RIGOR_INSTANTIATE(index)                                                               \
-  template void fill_block(LaneTarget, std::span<const BlockLane>, const BulkBodies&,          \
-                           ManifoldBlock<block_kinds[index]>&);                                \
-  template void warm_start_block(LaneTarget, ManifoldBlock<block_kinds[index]>&, BulkBodies&); \
-  template void solve_block(LaneTarget, BlockPass, float, ManifoldBlock<block_kinds[index]>&, BulkBodies&)
+#define RIGOR_INSTANTIATE(index)                                                                            \
+  template void fill_block(LaneTarget, std::span<const BlockLane>, const BulkBodies&,                       \
+                           ManifoldBlock<block_kinds[index]>&);                                             \
+  template void warm_start_block(LaneTarget, ManifoldBlock<block_kinds[index]>&, BulkBodies&);              \
+  template void solve_block(LaneTarget, BlockPass, float, ManifoldBlock<block_kinds[index]>&, BulkBodies&); \
+  template void find_spring_energies(LaneTarget, const ManifoldBlock<block_kinds[index]>&,                  \
+                                     const BlockImpulses<block_kinds[index]>&, const BulkBodies&,           \
+                                     const SpringStep&, LaneArray&)
 RIGOR_FOR_BLOCK_KINDS(RIGOR_INSTANTIATE);
 #undef RIGOR_INSTANTIATE
 

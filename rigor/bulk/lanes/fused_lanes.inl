@@ -81,6 +81,11 @@ RIGOR_FLOAT_LANES TwoSquares transpose(const TwoSquares& m) {
           __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13),
           __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
+/// Four floats of each of eight places, transposed.
+RIGOR_FLOAT_LANES TwoSquares gather_fours(const std::array<const float*, kLaneCount>& from) {
+  return transpose({load_halves(from[0], from[4]), load_halves(from[1], from[5]),
+                    load_halves(from[2], from[6]), load_halves(from[3], from[7])});
+}
 
 /// s a + b.
 RIGOR_FLOAT_LANES FloatVec3 fused(const FloatLanes& s, const FloatVec3& a, const FloatVec3& b) {

@@ -177,4 +177,19 @@ enum class BlockPass {
 template <BlockKind kind>
 void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies);
 
+/// A step of some substeps of h [s].
+struct SpringStep {
+  double h;
+  int substeps;
+};
+/// Energies that the springs of the manifolds of a block hold at the end of a step [J]: Σ ½ k s² over points
+/// that overlap by s, but not more than they held before, which `energies` has, and the work that has pressed
+/// them in the step: overlaps that an impact makes are not paid for by it. What the soft constraint of
+/// section 3 of docs/theory/bulk.md does at rest is the force of a spring of stiffness k = m ω². total: the
+/// impulses of the step. Empty lanes get numbers of no meaning.
+template <BlockKind kind>
+void find_spring_energies(LaneTarget target, const ManifoldBlock<kind>& block,
+                          const BlockImpulses<kind>& total, const BulkBodies& bodies, const SpringStep& step,
+                          LaneArray& energies);
+
 }  // namespace rigor

@@ -27,16 +27,17 @@ class ManifoldList {
     heads_.clear();
     points_.clear();
   }
-  void push_back(const PairManifold& found) {
-    const Manifold& own = found.manifold;
+  void push_back(const PairManifold& found) { add(found.pair, found.part, found.manifold); }
+  /// The manifold `own` of a pair (PairManifold).
+  void add(int pair, int part, const Manifold& own) {
     const std::size_t first = points_.size(), count = at(own.point_count);
     // Lists grow by an eighth, not to twice their size.
     if (heads_.size() == heads_.capacity()) make_room(heads_.size() + kMore, heads_);
     if (first + count > points_.capacity()) make_room(first + kMore, points_);
     heads_.push_back({{own.normal[0], own.normal[1], own.normal[2]},
-                      found.pair,
+                      pair,
                       static_cast<std::uint32_t>(first),
-                      static_cast<std::uint32_t>(found.part) & 0x1fffffffu,
+                      static_cast<std::uint32_t>(part) & 0x1fffffffu,
                       static_cast<std::uint32_t>(own.point_count) & 7u});
     points_.insert(points_.end(), own.points.data(), own.points.data() + count);
   }

@@ -333,11 +333,14 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
   const Manifold& region = contacts.over_face[lane];
   const std::size_t count = manifolds.size();
-  Manifold crossing{};
-  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, crossing);
-  if (crosses) manifolds.push_back({number, 0, crossing});
+  bool crosses = false;
+  if (has_crossing) {
+    Manifold crossing;
+    crosses = cross_box_edges(lanes, contacts, lane, crossing);
+    if (crosses) manifolds.add(number, 0, crossing);
+  }
   if (has_region && (crosses || !has_crossing) && region.point_count > 0)
-    manifolds.push_back({number, crosses ? 1 : 0, region});
+    manifolds.add(number, crosses ? 1 : 0, region);
   if (manifolds.size() > count) {
     if (hint.axis == 0) hint.axis = 1;  // An unchanged hint is not written: its cache line stays clean.
     return;
@@ -375,7 +378,7 @@ void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<Shape
       } else if (scratch.balls.is_next(ball, k)) {
         const BallContacts& contacts = scratch.balls.contacts[at(ball / kLaneCount)];
         const int lane = ball++ % kLaneCount;
-        if (contacts.gap[lane] <= pair.margin) manifolds.push_back({k, 0, ball_manifold(contacts, lane)});
+        if (contacts.gap[lane] <= pair.margin) manifolds.add(k, 0, ball_manifold(contacts, lane));
       } else {
         find_pair(bodies, pair, place, k, scratch, manifolds);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/bulk/broad_phase/box_tree.hpp"
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/graph/jointed_bodies.hpp"
@@ -12,7 +13,6 @@
 #include "rigor/bulk/state/changed_bodies.hpp"
 #include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/bulk/threads/executor.hpp"
-#include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/model/model.hpp"
 
 #include <algorithm>
@@ -187,8 +187,8 @@ class PassingGuard {
   std::vector<char> is_pushed_;   ///< Whether one touches an island, by its lowest body; empty: none moves.
   std::vector<ShapePair> found_;  ///< That may be in far_ already.
   bool is_swept_ = false;         ///< Whether swept_ is of this step.
-  std::vector<Aabb> swept_;       ///< Boxes that the bodies do not leave in the step.
-  AabbTree swept_tree_;           ///< Of swept_.
+  std::vector<FloatBox> swept_;   ///< Boxes that the bodies do not leave in the step.
+  BoxTree swept_tree_;            ///< Of swept_.
   long sweeps_ = 0;
   std::vector<int> near_;
   bool is_finite_ = true;

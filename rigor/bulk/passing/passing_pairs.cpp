@@ -307,31 +307,35 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   constexpr int refits = 64;
   swept_.clear();
   swept_.reserve(bodies.x.size());
+  // The origin is the position of a body, so that a scene far away takes no longer.
+  const Vec3 origin = bodies.x[bodies.x.size() / 2];
+  double size = 0;
+  int bounded = 0;
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& motion = bodies.motion[at(i)];
     const Vec3 &x = bodies.x[at(i)], y = x + vector_of(motion.dp);
     Aabb box{x.cwiseMin(y), x.cwiseMax(y)};
     if (bends(i, bodies)) box = {x + paths_.box(i).lower, x + paths_.box(i).upper};
-    box = box.grown(model_->body(i).bounding_radius);
+    const double radius = model_->body(i).bounding_radius;
+    box = box.grown(radius);
+    if (radius > 0 && std::isfinite(radius)) size += 2 * radius, ++bounded;
     // Long bodies are far thinner than the balls about them.
     const std::optional<Aabb> tight =
         bends(i, bodies) ? std::nullopt
                          : boxes_.swept(bodies, i, {y - x, turning_[at(i)] * norm_of(motion.dr)});
     if (tight) box = {box.lower.cwiseMax(x + tight->lower), box.upper.cwiseMin(x + tight->upper)};
-    swept_.push_back(box);
+    swept_.push_back(enclosing_box(box, origin));
   }
   if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
-  std::vector<BoxItem> items;
-  items.reserve(swept_.size());
-  for (int i = 0; i < bodies.count(); ++i) items.push_back({i, swept_[at(i)]});
-  swept_tree_.build(items);
+  swept_tree_.build(swept_, bounded > 0 ? static_cast<float>(size / bounded) : 1);
 }
 
 /// Calls visit(pair) for all shapes of a body and of those whose swept boxes overlap its own, where they may
 /// touch.
 template <class Visit>
 void PassingGuard::for_near(int body, const Visit& visit) {
-  swept_tree_.overlapping(swept_[at(body)], near_);
+  near_.clear();
+  swept_tree_.find_overlaps(swept_[at(body)], near_);
   for (const int other : near_) {
     if (other == body || !filter_.may_collide(body, other)) continue;
     const int a = std::min(body, other), b = std::max(body, other);

@@ -192,10 +192,11 @@ double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies
 int BulkBodies::find_broken() const {
   for (int i = 0; i < count(); ++i) {
     const std::size_t k = at(i);
-    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
-    float sum = 0;
-    for (int axis = 0; axis < 3; ++axis) sum += motion[k].v[axis] + motion[k].w[axis];
-    if (!std::isfinite(sum) || !x[k].allFinite() || !q[k].coeffs().allFinite()) return i;
+    // The sum is not finite if a term is not; finite ones are far too small for it to overflow.
+    float speeds = 0;
+    for (int axis = 0; axis < 3; ++axis) speeds += motion[k].v[axis] + motion[k].w[axis];
+    const double places = x[k].x() + x[k].y() + x[k].z() + q[k].x() + q[k].y() + q[k].z() + q[k].w();
+    if (!std::isfinite(double{speeds} + places)) return i;
   }
   return -1;
 }

@@ -12,6 +12,12 @@
 
 namespace rigor {
 
+namespace {
+
+constexpr int gone = -1;  ///< Instead of the place of a joint that is no longer there.
+
+}  // namespace
+
 /// New handles of all that the Model has.
 void BulkSimulation::name_all() {
   body_ids_.retire_all();
@@ -73,25 +79,29 @@ void BulkSimulation::begin_anew(int places) {
   removed_ = 0;
 }
 
-/// Hands changes of joints on to the world and to their handles.
-void BulkSimulation::note_joint_changes() {
+/// The handles of joints that the last change has let go name nothing more.
+void BulkSimulation::retire_leaving_joints() {
+  for (const int index : editor_->take_leaving_joints()) {
+    joint_ids_.retire(joint_places_[at(index)]);
+    joint_places_[at(index)] = gone;
+  }
+}
+
+/// Hands all changes of joints since the last time on to the world. Joints that go keep their numbers until
+/// then, so that many that come and go between two steps cost one pass over all joints.
+void BulkSimulation::settle_joints() const {
+  if (!editor_) return;
   const ModelEditor::JointChanges changes = editor_->take_joint_changes();
   if (!changes.is_any) return;
-  std::vector<int> places;
-  std::vector<char> stays(joint_places_.size(), 0);
-  for (const int was : changes.was) {
-    places.push_back(was < 0 ? -1 : joint_places_[at(was)]);
-    if (was >= 0) stays[at(was)] = 1;
-  }
-  for (std::size_t i = 0; i < stays.size(); ++i)
-    if (stays[i] == 0) joint_ids_.retire(joint_places_[i]);
-  for (int& place : places) {
-    if (place >= 0) continue;
-    place = joint_ids_.lowest_free();
-    joint_ids_.give(place);
-  }
-  joint_places_ = std::move(places);
+  std::erase(joint_places_, gone);
   world_->change_joints(changes.was, changes.bodies);
+}
+
+/// The handle of a joint that was added last.
+JointId BulkSimulation::name_joint() {
+  const int place = joint_ids_.lowest_free();
+  joint_places_.push_back(place);
+  return joint_ids_.give(place);
 }
 
 /// After a body came, went or became another.
@@ -127,7 +137,7 @@ BulkStatus BulkSimulation::remove_body(const BodyId& body) {
   if (!place) return BulkStatus::no_such_body;
   begin_edit();
   editor_->remove_body(*place);
-  note_joint_changes();
+  retire_leaving_joints();
   has_changed(*place);
   body_ids_.retire(*place);
   // What the world keeps of bodies that are gone is given back now and then.
@@ -151,7 +161,7 @@ BulkStatus BulkSimulation::replace_body(const BodyId& body, const BodyDescriptio
     own.angular_velocity = own.motion == MotionType::dynamic ? w : description.angular_velocity;
   }
   editor_->replace_body(*place, std::move(own), time());
-  note_joint_changes();
+  retire_leaving_joints();
   has_changed(*place);
   // The velocity was that of the old centre of mass.
   if (model_->body(*place).motion == MotionType::dynamic)
@@ -174,22 +184,29 @@ BulkStatus BulkSimulation::exclude_pair(const BodyId& a, const BodyId& b, bool i
   if (!place_A || !place_B || a == b) return BulkStatus::no_such_body;
   begin_edit();
   editor_->exclude_pair(*place_A, *place_B, is_excluded);
-  note_joint_changes();
   return BulkStatus::done;
 }
 
 JointId BulkSimulation::joint(int index) const {
+  settle_joints();
   const bool is_there = index >= 0 && at(index) < joint_places_.size();
   return is_there ? joint_ids_.id_of(joint_places_[at(index)]) : JointId{};
 }
 
 JointId BulkSimulation::find_joint(std::string_view name) const {
+  settle_joints();
   for (int i = 0; i < static_cast<int>(model_->joints().size()); ++i)
     if (model_->joint(i).name == name) return joint(i);
   return {};
 }
 
 std::optional<int> BulkSimulation::index_of(const JointId& joint) const {
+  settle_joints();
+  return unsettled_index_of(joint);
+}
+
+/// Its number among all, those included that go when changes are settled.
+std::optional<int> BulkSimulation::unsettled_index_of(const JointId& joint) const {
   const std::optional<int> place = joint_ids_.place_of(joint);
   if (!place) return std::nullopt;
   return static_cast<int>(std::find(joint_places_.begin(), joint_places_.end(), *place) -
@@ -209,9 +226,8 @@ std::optional<JointId> BulkSimulation::add_joint(const ModelBuilder::JointDescri
     poses[k] = {rotation_matrix(world_->bodies().q[at(*place)]), centre(*place)};
   }
   begin_edit();
-  const int index = editor_->add_joint(description, bodies, poses);
-  note_joint_changes();
-  return joint(index);
+  editor_->add_joint(description, bodies, poses);
+  return name_joint();
 }
 
 std::optional<JointId> BulkSimulation::add_gear(const ModelBuilder::JointDescription& description,
@@ -219,17 +235,16 @@ std::optional<JointId> BulkSimulation::add_gear(const ModelBuilder::JointDescrip
   const std::optional<int> a = index_of(first), b = index_of(second);
   if (!a || !b) return std::nullopt;
   begin_edit();
-  const int index = editor_->add_gear(description, {*a, *b});
-  note_joint_changes();
-  return joint(index);
+  editor_->add_gear(description, {*a, *b});
+  return name_joint();
 }
 
 BulkStatus BulkSimulation::remove_joint(const JointId& joint) {
-  const std::optional<int> index = index_of(joint);
+  const std::optional<int> index = unsettled_index_of(joint);
   if (!index) return BulkStatus::no_such_joint;
   begin_edit();
   editor_->remove_joint(*index);
-  note_joint_changes();
+  retire_leaving_joints();
   return BulkStatus::done;
 }
 
@@ -239,10 +254,7 @@ BulkStatus BulkSimulation::set_axis(const JointId& joint, int coordinate, const 
   const int count = static_cast<int>(model_->joint(*index).axes.size());
   if (coordinate < 0 || coordinate >= count) return BulkStatus::no_such_coordinate;
   begin_edit();
-  if (editor_->set_axis(*index, coordinate, laws))
-    note_joint_changes();
-  else
-    world_->change_laws(*index);
+  if (!editor_->set_axis(*index, coordinate, laws)) world_->change_laws(*index);
   return BulkStatus::done;
 }
 

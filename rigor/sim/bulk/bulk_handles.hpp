@@ -2,6 +2,8 @@
 
 #include "rigor/core/index.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -56,6 +58,7 @@ class HandleTable {
   void retire(int place) {
     slots_[at(place)].is_there = false;
     ++slots_[at(place)].number;
+    full_ = std::min(full_, at(place));
   }
   /// The handle of what is in a place; one that names nothing if nothing is.
   Id id_of(int place) const {
@@ -74,10 +77,9 @@ class HandleTable {
     return ids;
   }
   /// The lowest place where nothing is.
-  int lowest_free() const {
-    std::size_t place = 0;
-    while (place < slots_.size() && slots_[place].is_there) ++place;
-    return static_cast<int>(place);
+  int lowest_free() {
+    while (full_ < slots_.size() && slots_[full_].is_there) ++full_;
+    return static_cast<int>(full_);
   }
   /// Nothing is there any more, and all handles name nothing.
   void retire_all() {
@@ -91,6 +93,7 @@ class HandleTable {
     bool is_there = false;
   };
   std::vector<Slot> slots_;
+  std::size_t full_ = 0;  ///< All places before this one are taken.
 };
 
 }  // namespace rigor

@@ -47,6 +47,7 @@ std::optional<JointReading> BulkSimulation::read_joint(const JointId& joint) con
 }
 
 JointArrays BulkSimulation::joint_arrays() const {
+  settle_joints();
   JointArrays all;
   for (int i = 0; i < static_cast<int>(model_->joints().size()); ++i) {
     const JointReading reading = reading_of(i);

@@ -17,20 +17,6 @@ namespace rigor {
 
 namespace {
 
-/// A box of 32-bit numbers that holds a box relative to an origin.
-FloatBox float_box(const Aabb& box, const Vec3& origin) {
-  constexpr float rounding = 1e-6f;
-  FloatBox outer;
-  for (int k = 0; k < 3; ++k) {
-    const float lower = static_cast<float>(box.lower[k] - origin[k]),
-                upper = static_cast<float>(box.upper[k] - origin[k]);
-    const float slack = rounding * std::max(std::abs(lower), std::abs(upper));
-    outer.lower[k] = lower - slack;
-    outer.upper[k] = upper + slack;
-  }
-  return outer;
-}
-
 Pose pose_of(const BulkBodies& bodies, int body) {
   return {rotation_matrix(bodies.q[at(body)]), bodies.x[at(body)]};
 }
@@ -103,7 +89,7 @@ void BulkSensors::box_bodies(const Model& model, const BulkBodies& bodies) {
     if (boxed_.empty()) origin_ = bodies.x[at(i)];
     boxed_.push_back(i);
     const Vec3 &x = bodies.x[at(i)], half = Vec3::Constant(body.bounding_radius);
-    boxes_.push_back(float_box({x - half, x + half}, origin_));
+    boxes_.push_back(enclosing_box({x - half, x + half}, origin_));
     size += 2 * body.bounding_radius;
   }
   if (boxed_.empty()) return;
@@ -119,7 +105,7 @@ std::vector<BodyId> BulkSensors::find(const Sensor& sensor, const Model& model, 
   const Pose X_WS = carrier < 0 ? own.X_US : pose_of(bodies, carrier) * model.body(carrier).X_BU * own.X_US;
   // Bodies that may be near: those of the tree, and those without bounds.
   near_.clear();
-  if (!boxed_.empty()) tree_.find_overlaps(float_box(axis_aligned_box(own.shape, X_WS), origin_), near_);
+  if (!boxed_.empty()) tree_.find_overlaps(enclosing_box(axis_aligned_box(own.shape, X_WS), origin_), near_);
   for (int& near : near_) near = boxed_[at(near)];
   near_.insert(near_.end(), unbounded_.begin(), unbounded_.end());
   std::sort(near_.begin(), near_.end());

@@ -37,6 +37,7 @@ void BulkSimulation::start(const State& state) {
 }
 
 BulkStepReport BulkSimulation::step() {
+  settle_joints();
   world_->settle_changes();
   before_ = world_->memory();
   centers_ = world_->bodies().x;
@@ -50,6 +51,7 @@ BulkStepReport BulkSimulation::step() {
 
 State BulkSimulation::state() const {
   State state = template_;
+  settle_joints();
   world_->settle_changes();
   world_->write(state);
   return state;

@@ -52,7 +52,10 @@ class BulkSimulation {
   /// Advances by one step.
   BulkStepReport step();
   double time() const { return world_->time(); }  ///< [s].
-  const Model& model() const { return *model_; }
+  const Model& model() const {
+    settle_joints();
+    return *model_;
+  }
   /// All that is needed to continue bit for bit from between two steps, without the forces given for the next
   /// one.
   State state() const;
@@ -62,7 +65,10 @@ class BulkSimulation {
   Pose pose(int body) const;
   Vec3 velocity(int body) const;          ///< Of the centre of mass [m/s].
   Vec3 angular_velocity(int body) const;  ///< [rad/s].
-  bool is_asleep(int body) const { return world_->is_asleep(body); }
+  bool is_asleep(int body) const {
+    settle_joints();
+    return world_->is_asleep(body);
+  }
 
   // Loads on dynamic bodies; each wakes its body.
   /// A force during the next step, at the centre of mass or at a point [N], [m]; several forces add up.
@@ -191,7 +197,10 @@ class BulkSimulation {
   void begin_edit();
   void make_room_for_one();
   void begin_anew(int places);
-  void note_joint_changes();
+  void retire_leaving_joints();
+  void settle_joints() const;
+  JointId name_joint();
+  std::optional<int> unsettled_index_of(const JointId& joint) const;
   JointReading reading_of(int joint) const;
   void has_changed(int place);
   /// Whether a body came, went or became another since the last step.
@@ -209,7 +218,7 @@ class BulkSimulation {
   long removed_ = 0;                     ///< Bodies that went since the world was made.
   HandleTable<BodyKind> body_ids_;
   HandleTable<JointKind> joint_ids_;
-  std::vector<int> joint_places_;  ///< Of the joints of the Model, by index.
+  mutable std::vector<int> joint_places_;  ///< Of the joints of the Model, by index.
   HandleTable<MaterialKind> material_ids_;
   BulkSensors sensors_;
   std::vector<char> changed_;  ///< See is_new(); by place, empty if none is.

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace rigor::box_tree_test {
 namespace {
@@ -66,6 +68,45 @@ TEST(BoxTree, FindsWhatOverlapsABoxAlsoWhenBoxesWereReplaced) {
         tree.replace(i, boxes[static_cast<std::size_t>(i)]);
       }
       EXPECT_EQ(own_pairs(tree), expected_own_pairs(boxes)) << count << " boxes, round " << round;
+    }
+  }
+}
+
+TEST(BoxTree, FindsWhatOverlapsABoxAlsoWhenAllHaveMovedAndSomeAreInfinite) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  test::Random random(11);
+  BoxTree tree;
+  for (const int count : {1, 9, 65, 513}) {
+    std::vector<FloatBox> boxes = random_boxes(random, count, 1);
+    for (int round = 0; round < 4; ++round) {
+      // A half-space, and all of space.
+      boxes[0] = enclosing_box({Vec3::Constant(-far), Vec3(far, far, 0)}, Vec3::UnitX());
+      boxes.back() = enclosing_box({Vec3::Constant(-far), Vec3::Constant(far)}, Vec3::UnitX());
+      round == 0 ? tree.build(boxes, 1) : tree.refit(boxes);
+      for (const FloatBox& box : random_boxes(random, 20, 1)) {
+        std::vector<int> found, expected;
+        tree.find_overlaps(box, found);
+        for (int i = 0; i < count; ++i)
+          if (boxes[static_cast<std::size_t>(i)].overlaps(box)) expected.push_back(i);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << count << " boxes, round " << round;
+      }
+      EXPECT_EQ(own_pairs(tree), expected_own_pairs(boxes)) << count << " boxes, round " << round;
+      boxes = random_boxes(random, count, 1);
+    }
+  }
+}
+
+TEST(BoxTree, ABoxIsWithinItsEnclosingBox) {
+  test::Random random(13);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 origin = 1e6 * random.vector(), lower = origin + 100 * random.vector(),
+               size = random.vector().cwiseAbs();
+    const FloatBox box = enclosing_box({lower, lower + size}, origin);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(static_cast<double>(box.lower[k]), lower[k] - origin[k]);
+      EXPECT_GE(static_cast<double>(box.upper[k]), lower[k] + size[k] - origin[k]);
+      EXPECT_NEAR(static_cast<double>(box.upper[k] - box.lower[k]), size[k], 1e-3);
     }
   }
 }

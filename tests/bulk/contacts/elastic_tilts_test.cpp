@@ -1,14 +1,21 @@
 // What stands on soft springs stands as on rigid contacts (docs/theory/bulk.md, section 3).
 
 #include "rigor/bulk/bulk_world.hpp"
+#include "rigor/bulk/contacts/tilt_kernels.hpp"
+#include "rigor/geometry/lanes/lane_target.hpp"
 #include "rigor/model/model_builder.hpp"
+
+#include "random_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace rigor::elastic_tilts_test {
 namespace {
@@ -134,6 +141,57 @@ TEST(ElasticTilts, OfABodyOnItsEdgeIsNoMoreThanItsSpringsAccountFor) {
   const double lift = depth + 0.5 * (std::cos(angle) + std::sin(angle) - 1) - 1e-3;
   const std::vector<TiltRow> tilts = tilts_of(angle, angle, lift);
   for (const TiltRow& tilt : tilts) EXPECT_LT(std::abs(tilt[0]), 2 * 1.1 * depth);
+}
+
+TEST(TiltKernels, FindTheSlopeOfTheOverlapsWithTheSameBitsForBothTargets) {
+  test::Random random(7);
+  for (int trial = 0; trial < 100; ++trial) {
+    // Faces of three and four points, of which the first has no overlap and the second no breadth.
+    std::array<Manifold, kLaneCount> manifolds;
+    std::array<std::array<float, 4>, kLaneCount> w_A{}, w_B{};
+    std::array<Vec3, kLaneCount> expected;
+    TiltLanes lanes;
+    const double ahead = 0.05;
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      Manifold& own = manifolds[i];
+      const Vec3 n = random.vector().normalized(), t1 = n.unitOrthogonal(), t2 = n.cross(t1);
+      const Vec3 tilt = 1e-3 * (random.number() * t1 + random.number() * t2), w = random.vector();
+      own.point_count = 3 + static_cast<int>(i % 2);
+      const std::array<double, 4> along{1, -1, 0.3, 0.2}, across{0.2, -0.1, 1, -1};
+      std::vector<Vec3> points;
+      Vec3 centre = Vec3::Zero();
+      for (std::size_t k = 0; k < static_cast<std::size_t>(own.point_count); ++k) {
+        points.push_back(0.5 * along[k] * t1 + (i == 1 ? 0 : 0.3 * across[k]) * t2);
+        centre += points.back() / own.point_count;
+      }
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Vec3 arm = points[k] - centre;
+        for (int c = 0; c < 3; ++c) own.points[k].p[c] = static_cast<float>(points[k][c]);
+        own.points[k].gap = static_cast<float>((i == 0 ? 0.01 : -0.01) + tilt.dot(arm.cross(n)));
+      }
+      for (int c = 0; c < 3; ++c) {
+        own.normal[c] = static_cast<float>(n[c]);
+        w_B[i][static_cast<std::size_t>(c)] = static_cast<float>(w[c]);
+      }
+      lanes.manifold[i] = ManifoldView(own);
+      lanes.w_A[i] = w_A[i].data(), lanes.w_B[i] = w_B[i].data();
+      lanes.sign[i] = i % 3 == 0 ? -1.0F : 1.0F;
+      expected[i] = static_cast<double>(lanes.sign[i]) * (tilt + ahead * (w - w.dot(n) * n));
+    }
+    std::array<TiltRow, kLaneCount> turns;
+    portable_lanes::find_turns(lanes, static_cast<float>(ahead), turns);
+    EXPECT_EQ(turns[0][3], 0);
+    EXPECT_EQ(turns[1][3], 0);
+    for (std::size_t i = 2; i < kLaneCount; ++i) {
+      EXPECT_NEAR(static_cast<double>(turns[i][3]), 0.01 * manifolds[i].point_count, 1e-6);
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(static_cast<double>(turns[i][c]), expected[i][static_cast<Eigen::Index>(c)], 1e-6);
+    }
+    if (best_lane_target() != LaneTarget::avx2) continue;
+    std::array<TiltRow, kLaneCount> others;
+    avx2_lanes::find_turns(lanes, static_cast<float>(ahead), others);
+    EXPECT_EQ(std::memcmp(&turns, &others, sizeof turns), 0);
+  }
 }
 
 }  // namespace

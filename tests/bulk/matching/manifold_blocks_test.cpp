@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -279,6 +281,61 @@ TYPED_TEST(ManifoldBlocks, HaveTheSameBitsOnEveryProcessor) {
     EXPECT_EQ(std::memcmp(wide.bodies.motion.data(), plain.bodies.motion.data(),
                           wide.bodies.motion.size() * sizeof(MotionRecord)),
               0);
+  }
+}
+
+// A point goes with the displacements of both bodies, and its spring has the stiffness m ω².
+TYPED_TEST(ManifoldBlocks, SpringsHoldHalfTheSquareOfTheirOverlapsAndNoMoreThanWasPutIntoThem) {
+  constexpr double frequency = 40;
+  constexpr int substeps = 6;
+  const double omega = 2 * std::numbers::pi * frequency;
+  const Softness spring = make_softness(frequency, 5, kH);
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::vector<LaneArray> of_targets;
+    for (const LaneTarget target : all_targets()) {
+      Random random(100 + seed);
+      auto scene = random_scene<TypeParam::kind>({.friction = 0.4f}, target, seed);
+      for (MotionRecord& motion : scene.bodies.motion) {
+        set_vector(1e-3 * random.vector(), motion.dp);
+        set_vector(1e-3 * random.vector(), motion.dr);
+      }
+      BlockImpulses<TypeParam::kind> total;
+      LaneArray held{};
+      std::array<double, kLaneCount> energy{}, work{};
+      for (int lane = 0; lane < 6; ++lane) {
+        const std::size_t i = static_cast<std::size_t>(lane);
+        const Manifold& manifold = scene.manifolds[i];
+        scene.block.bias_rate[i] = spring.bias_rate;
+        scene.block.mass_scale[i] = spring.mass_scale;
+        // Every other manifold held more before than it can now.
+        held[i] = lane % 2 == 0 ? 1e9F : static_cast<float>(1e-3 * std::abs(random.number()));
+        for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.point_count); ++k) {
+          scene.block.points[k].gap[i] = static_cast<float>(2e-3 * random.number());
+          total.normal(k)[i] = static_cast<float>(std::abs(random.number()));
+          const double before = static_cast<double>(scene.block.points[k].gap[i]);
+          const Vec3 r_A = vector_of(manifold.points[k].p);
+          const Vec3 r_B = r_A - (scene.bodies.x[2 * i + 1] - scene.bodies.x[2 * i]);
+          const MotionRecord &A = scene.bodies.motion[2 * i], &B = scene.bodies.motion[2 * i + 1];
+          const Vec3 way =
+              vector_of(B.dp) + vector_of(B.dr).cross(r_B) - vector_of(A.dp) - vector_of(A.dr).cross(r_A);
+          const double overlap = std::max(0.0, -(before + vector_of(manifold.normal).dot(way)));
+          energy[i] +=
+              0.5 * static_cast<double>(scene.block.points[k].mass[i]) * omega * omega * overlap * overlap;
+          work[i] += static_cast<double>(total.normal(k)[i]) / (static_cast<double>(kH) * substeps) *
+                     std::max(0.0, overlap - std::max(0.0, -before));
+        }
+      }
+      LaneArray found = held;
+      find_spring_energies(target, scene.block, total, scene.bodies, {kH, substeps}, found);
+      for (std::size_t i = 0; i < 6; ++i) {
+        const double expected = std::min(energy[i], static_cast<double>(held[i]) + work[i]);
+        // Frames and arms of blocks are 32-bit numbers.
+        ASSERT_NEAR(static_cast<double>(found[i]), expected, 2e-3 * (energy[i] + work[i]) + 1e-9) << seed;
+      }
+      of_targets.push_back(found);
+    }
+    for (const LaneArray& found : of_targets)
+      EXPECT_EQ(std::memcmp(found.data(), of_targets[0].data(), 6 * sizeof(float)), 0);
   }
 }
 
