@@ -76,7 +76,8 @@ PartForces ImpulseStep::strike(double h, StepAccuracy wanted, Cluster& part, Imp
     // Those that bounce collide by the law of the method, as often as it takes.
     if (closing.bounces && pass + 1 < most_passes) {
       for (const Contact& contact : closing.contacts)
-        result.forces.push_back({contact.key(), contact.p_W(), Vec3::Zero(), TouchingPoint::Mode::unknown});
+        if (!contact.stop)
+          result.forces.push_back({contact.key(), contact.p_W(), Vec3::Zero(), TouchingPoint::Mode::unknown});
       std::swap(part.contacts, closing.contacts);
       impacts.collide(
           part, [this](Cluster& moving, AdvanceReport& of_it) { resolver_.apply_impulses(moving, of_it); },

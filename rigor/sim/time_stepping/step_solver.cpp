@@ -67,11 +67,9 @@ std::vector<ContactMode> modes_of_forces(const VecX& lambda, const std::vector<d
 
 /// Impulses near the solution, inside the cones; none of few contacts, which are solved as soon.
 std::optional<StepImpulses> rough_impulses(const MotionProblem& problem) {
-  // Fewer are solved as soon; in heaps of 100 mixed bodies 48 would cost a tenth of the run.
-  constexpr std::size_t fewest = 96;
   // Of (the largest rate)² times a mass. With 1e-4 more exact tries show something new, with 1e-8 as many.
   constexpr double gap = 1e-6;
-  if (problem.laws.mu.size() < fewest) return std::nullopt;
+  if (problem.laws.mu.size() < kFewestRough) return std::nullopt;
   const std::optional<VecX> forces = interior_forces(problem.laws, SparseMotion(problem.rows), {.gap = gap});
   if (!forces) return std::nullopt;
   StepImpulses impulses;

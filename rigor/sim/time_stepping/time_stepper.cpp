@@ -213,7 +213,6 @@ TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, StepA
 /// Moves all bodies by one step, with the contacts that are foreseen.
 TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, StepAccuracy accuracy,
                                          const SpeculativeContacts& speculative) {
-  constexpr std::uint64_t try_operations = 10;
   const Cluster start = cluster_in(state);
   Trial trial{.h = speculative.h,
               .struck = start,
@@ -222,7 +221,7 @@ TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, StepA
               .near = contacts_.near(state, start, speculative)};
   for (const Contact& contact : trial.near.found)
     trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
-  try_work_ += try_operations * (start.bodies.size() + trial.near.pairs.size());
+  try_work_ += kTryOperations * (start.bodies.size() + trial.near.pairs.size());
   std::vector<Contact> contacts = trial.near.acting;
   add_stops(start, contacts);
   move_parts(theta, accuracy, start, contacts, trial);

@@ -109,7 +109,9 @@ class TimeStepper : public FixedStepStepper {
   Executor executor_;
   std::vector<Contact> touching_;     ///< At the end of the last step,
   std::vector<ContactForce> forces_;  ///< and the forces of that step.
-  std::uint64_t try_work_ = 0;        ///< Operations of the tries of one step, without those of their parts.
+  /// About what a try does with a body or a pair.
+  static constexpr std::uint64_t kTryOperations = 10;
+  std::uint64_t try_work_ = 0;  ///< Operations of the tries of one step, without those of their parts.
   double work_limit_ = std::numeric_limits<double>::infinity();
   double lift_ = 0;  ///< Energy that lifts all bodies by the length of the scene [J].
 };

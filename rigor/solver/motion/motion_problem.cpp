@@ -72,8 +72,8 @@ class MotionSolver {
   }
 
   /// Whether some motion may stop all contacts at once: stiff springs in their place leave next to nothing of
-  /// their rates, and neither pull on a pair of bodies nor drag beyond its cone. It costs one elimination,
-  /// less than half of what it takes to find forces that hold.
+  /// their rates, and, of few contacts, neither pull on a pair of bodies nor drag beyond its cone. It costs
+  /// one elimination, less than half of what it takes to find forces that hold.
   bool may_hold() const {
     constexpr double kStiffness = 1e6, kShare = 1e-2;  // Times the mass of each contact; of the rates.
     const bool are_free = std::all_of(laws_.rows.begin(), laws_.rows.end(),
@@ -105,7 +105,9 @@ class MotionSolver {
   }
 
   /// Whether contacts may have such forces by their sum: those of one pair of bodies with one normal must
-  /// together lie in the cone, in whatever way they share them.
+  /// together lie in the cone, in whatever way they share them. (Where bodies form loops, pairs may share
+  /// them in other ways than springs do, and few of the problems that could hold are searched then.) Rows
+  /// with a load, bounded forces of joints, are not asked: their normals are the loads.
   bool may_push(const VecX& forces) const {
     constexpr double kSameNormal = 1e-6, kShare = 0.3;  // Of the largest force.
     const double negligible = kShare * forces.cwiseAbs().maxCoeff();
@@ -116,7 +118,7 @@ class MotionSolver {
       const auto side = std::ranges::find_if(first, [](const ContactRows::Side& s) { return s.node >= 0; });
       const auto place = static_cast<std::size_t>(side - first.begin());
       Vec3 sum = Vec3::Zero();
-      bool is_flat = side != first.end();
+      bool is_flat = side != first.end() && first.back().node < 0;
       for (end = begin; end < contacts.size(); ++end) {
         if (contacts[end][0].node != first[0].node || contacts[end][1].node != first[1].node) break;
         if (!is_flat) continue;
