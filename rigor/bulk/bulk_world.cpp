@@ -420,9 +420,10 @@ int BulkWorld::solve_directly(double h) {
 void BulkWorld::find_bodies_outside_chains(double h) {
   Scratch& s = *scratch_;
   if (s.joints->may_have_contact_free_chains()) {
-    // Trees that turn fast near others are no free ones: the ways of their bodies are noted.
-    s.passing.mark_bent(bodies_, s.pairs, h, s.touches);
-    s.joints->find_contact_free_chains(bodies_, s.touches);
+    // Trees that turn fast near others do not take all substeps at once: the ways of their bodies are noted.
+    s.waits = s.touches;
+    s.passing.mark_bent(bodies_, s.pairs, h, s.waits);
+    s.joints->find_contact_free_chains(bodies_, s.waits);
   }
   s.outside_chains.clear();
   for (int i = 0; i < bodies_.count(); ++i) {

@@ -73,6 +73,7 @@ struct BulkWorld::Scratch {
   std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
   std::vector<char> touches;  ///< Whether each body may touch another in the step, or a spring holds it.
+  std::vector<char> waits;    ///< Whether each body does, or turns fast near another.
   std::vector<MotionRecord> motion_before;  ///< At the beginning of a step that may be taken back.
   double vibration = 0;                     ///< The fastest that taut joints have held in the step [rad/s].
   std::vector<int> outside_chains;          ///< Bodies that move and are not in a contact-free chain.

@@ -49,7 +49,8 @@ class ModelEditor {
   /// A gear between two joints.
   int add_gear(const ModelBuilder::JointDescription& description, std::array<int, 2> joints);
   /// Removes a joint with its gears. Joints that go keep their numbers, and so do the others, until
-  /// take_joint_changes(): what many cost that go at once is little more than what one does.
+  /// take_joint_changes(): many that go at once cost little more than one, but in scenes with gears, where
+  /// each looks at all joints.
   void remove_joint(int joint);
   /// The laws along a coordinate of a joint. Returns whether others act than before: if not, only their
   /// numbers have changed, which is no change of joints.

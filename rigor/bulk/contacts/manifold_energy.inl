@@ -2,7 +2,8 @@
 // double precision, since it is the difference of energies that decides. Included once for each target, after
 // manifold_lanes.inl.
 
-/// Four lanes of a block: a register of doubles.
+/// Four lanes of a block: a register of doubles. (The vectors of geometry/lanes have no target of their own,
+/// and clang++ lets no function with AVX call one without that returns lanes.)
 using FourDoubles = double __attribute__((vector_size(32)));
 struct FourVectors {
   FourDoubles x, y, z;

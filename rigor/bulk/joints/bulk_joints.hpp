@@ -43,8 +43,8 @@ class BulkJoints {
   void prepare(BulkBodies& bodies, double h, const Executor& executor,
                const std::vector<float>& impulses = {});
   /// Trees of ball joints without laws that touch nothing need not wait for the contacts between substeps.
-  /// touches: whether each body may touch another in the step. Before prepare(), which leaves them out; none
-  /// are free in steps for which this is not called.
+  /// touches: whether each body may touch another in the step, is on a spring or turns fast near another.
+  /// Before prepare(), which leaves them out; none are free in steps for which this is not called.
   void find_contact_free_chains(const BulkBodies& bodies, const std::vector<char>& touches);
   /// Whether there are trees that may be free in a step.
   bool may_have_contact_free_chains() const;

@@ -21,7 +21,7 @@ struct alignas(32) FreeNode {
   FloatVec3 left_out;               ///< ... but for this, which is put back later: as in JointApproach.
   FloatVec3 wanted;                 ///< Change of the anchor's velocity on the child against the parent.
   FloatVec3 impulse;                ///< On the child [N s].
-  FloatVec3 first_impulse;          ///< What counts of it before the half substep that ends the step.
+  FloatVec3 first_impulse;  ///< What counts of it before a half substep, each round of which begins with it.
   // Factors as in BallLanes.
   FloatLanes inverse_D[3], L[3];
   FloatVec3 G[3];

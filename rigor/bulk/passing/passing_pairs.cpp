@@ -307,8 +307,10 @@ void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
   constexpr int refits = 64;
   swept_.clear();
   swept_.reserve(bodies.x.size());
-  // The origin is the position of a body, so that a scene far away takes no longer.
-  const Vec3 origin = bodies.x[bodies.x.size() / 2];
+  // The origin is the position of a body that moves, so that a scene far away takes no longer.
+  int first = 0;
+  while (first + 1 < bodies.count() && !bodies.moves(first)) ++first;
+  const Vec3 origin = bodies.x[at(first)];
   double size = 0;
   int bounded = 0;
   for (int i = 0; i < bodies.count(); ++i) {

@@ -34,9 +34,9 @@ bool has_unknown_work(const Model& model) {
   return false;
 }
 
-/// Part of the energy by which steps may raise it. Forces push before joints hold, so that what swings on
-/// them has its energy to h g v m, and what swings on springs to h ω; the work of bodies that move as they
-/// must is known to first order.
+/// Part of the energy by which steps may raise it. Where bodies touch or laws of joints act, forces push
+/// before joints hold, so that what swings there has its energy to h g v m, and what swings on springs to h
+/// ω; the work of bodies that move as they must is known to first order.
 double energy_share(const Model& model) {
   bool is_first_order = !model.joints().empty();
   for (int i = 0; i < model.body_count(); ++i) is_first_order = is_first_order || is_kinematic(model, i);

@@ -59,6 +59,8 @@ State BulkSimulation::state() const {
 
 void BulkSimulation::set_state(const State& state) {
   RIGOR_ASSERT(state.body_count() == model_->body_count());
+  // Changes of joints are of the world before: the State is of the Model with them.
+  settle_joints();
   template_ = state;
   world_->read(state);
   centers_ = world_->bodies().x;

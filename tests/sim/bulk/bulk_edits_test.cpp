@@ -399,6 +399,26 @@ TEST(BulkEdits, JointsThatComeAndGoBetweenTwoStepsKeepTheirHandles) {
   EXPECT_NEAR(simulation.read_joint(hinges[4])->rate[0], 2, 1e-3);
 }
 
+TEST(BulkEdits, AStateReadAfterAJointHasGoneIsThatOfTheModelWithout) {
+  ModelBuilder builder = ground();
+  for (int i = 0; i < 3; ++i) {
+    BodyDescription bob = body_of(Sphere{0.1}, Vec3(3 * i + 1, 0, 5));
+    bob.name = "bob" + std::to_string(i);
+    builder.add_body(bob);
+    ModelBuilder::JointDescription joint = joint_at(JointType::ball, Vec3(3 * i, 0, 5));
+    joint.name = bob.name;
+    joint.bodies = {"world", bob.name};
+    builder.add_joint(joint);
+  }
+  const std::shared_ptr<const Model> model = builder.build();
+  BulkSimulation first(model), other(model);
+  for (BulkSimulation* own : {&first, &other}) own->remove_joint(own->joint(0));
+  for (int k = 0; k < 30; ++k) first.step();
+  // The joint is taken out of the other world when something is asked of it.
+  other.set_state(first.state());
+  EXPECT_EQ(difference(other.state(), first.state()), "");
+}
+
 TEST(BulkEdits, FrictionGravityAndFiltersChangeWhileBodiesSleep) {
   BulkSimulation simulation(ground().build());
   const BodyId block = simulation.add_body(body_of(Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));

@@ -93,21 +93,21 @@ std::shared_ptr<const Model> rods(int count, JointType type, const JointAxis& la
   return builder.build();
 }
 
-/// A rod between two hinged ones: a loop.
+/// Two level rods, hinged 0.7 m above each other, and an upright one between their ends: a loop.
 std::shared_ptr<const Model> four_bar() {
   ModelBuilder builder = weighty();
-  const Vec3 upright(0.08, 0.08, 0.001);
-  builder.add_body(body_of("left", Vec3(0.5, 0, 0), 1, Vec3(0.001, 0.08, 0.08)));
-  builder.add_body(body_of("right", Vec3(1.5, 0, 0), 1, Vec3(0.001, 0.08, 0.08)));
-  builder.add_body(body_of("coupler", Vec3(1.5, 0, 0), 1, Vec3(0.001, 0.08, 0.08)));
+  const Vec3 level(0.001, 0.08, 0.08);
+  builder.add_body(body_of("upper", Vec3(0.5, 0, 0.7), 1, level));
+  builder.add_body(body_of("lower", Vec3(0.5, 0, 0), 1, level));
+  builder.add_body(body_of("coupler", Vec3(1, 0, 0.35), 1, Vec3(0.04, 0.04, 0.001)));
   const auto hinge = [&](const std::string& a, const std::string& b, const Vec3& p) {
     builder.add_joint(
         {.name = a + b, .type = JointType::hinge, .bodies = {a, b}, .anchors = {p}, .axis = Vec3::UnitY()});
   };
-  hinge("world", "left", Vec3(0, 0, 0));
-  hinge("world", "right", Vec3(1, 0, 0));
-  hinge("left", "coupler", Vec3(1, 0, 0));
-  hinge("right", "coupler", Vec3(2, 0, 0));
+  hinge("world", "upper", Vec3(0, 0, 0.7));
+  hinge("world", "lower", Vec3(0, 0, 0));
+  hinge("upper", "coupler", Vec3(1, 0, 0.7));
+  hinge("lower", "coupler", Vec3(1, 0, 0));
   return builder.build();
 }
 
