@@ -41,9 +41,9 @@ void BulkWorld::load_joints_of_held() {
 /// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
-  if (!s.contacts.find_bounces(bodies_, s.executor)) return;
+  if (!s.contacts.find_bounces(s.forces.accelerations(), bodies_, s.executor)) return;
   s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
-  s.contacts.bounce_apart(*model_, s.held, bodies_, s.executor);
+  s.contacts.bounce_apart(*model_, s.forces.accelerations(), s.held, bodies_, s.executor);
   // What struck held bodies goes to their joints.
   if (s.held.take_strikes(bodies_)) s.joints->solve(JointPass::rates, s.executor);
 }

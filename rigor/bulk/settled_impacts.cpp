@@ -75,7 +75,7 @@ SettledImpacts::SettledImpacts(const Model& model) : model_(&model) {
 
 void SettledImpacts::settle(const Step& step, BulkJoints& joints, BulkContacts& contacts,
                             BulkBodies& bodies) {
-  list_struck(step.held, contacts, bodies);
+  list_struck(step, contacts, bodies);
   if (struck_.empty()) return;
   // In the order of keys: that of blocks depends on the steps before.
   std::sort(struck_.begin(), struck_.end(),
@@ -95,7 +95,7 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
   // What the bodies have, and what the impacts took: they cannot give back more.
   double most = kinetic_energy(group, bodies);
   for (const Struck& struck : struck_) {
-    if (struck.group == group) most += energy_taken(struck.manifold, bodies);
+    if (struck.group == group) most += energy_taken(struck.manifold, step.accelerations, bodies);
   }
   for (const Struck& struck : struck_) {
     if (struck.group == group) pull_joints(struck, step.executor, joints, bodies);
@@ -112,7 +112,7 @@ void SettledImpacts::settle_group(int group, const Step& step, BulkJoints& joint
   for (int round = 0; has_changed && round < most_rounds; ++round) {
     has_changed = false;
     for (Struck& struck : struck_) {
-      if (struck.group != group || !change_motion(struck, bodies)) continue;
+      if (struck.group != group || !change_motion(struck, step.accelerations, bodies)) continue;
       has_changed = true;
       hold_joints(group, step.executor, joints, bodies);
     }
@@ -186,11 +186,10 @@ double SettledImpacts::impulse_to_keep(const Struck& struck, const Step& step) c
 }
 
 /// The contacts that struck, and what they are to end with.
-void SettledImpacts::list_struck(const HeldBodies& held, const BulkContacts& contacts,
-                                 const BulkBodies& bodies) {
+void SettledImpacts::list_struck(const Step& step, const BulkContacts& contacts, const BulkBodies& bodies) {
   struck_.clear();
   contacts.for_contacts([&](const SolvedManifold& manifold, std::size_t number) {
-    const auto moves = [&](int body) { return bodies.is_dynamic(body) && !held.contains(body); };
+    const auto moves = [&](int body) { return bodies.is_dynamic(body) && !step.held.contains(body); };
     if (!strikes(manifold) || !(moves(manifold.body_A) || moves(manifold.body_B))) return;
     Struck& struck = struck_.emplace_back(Struck{number, manifold, {}, Mat6::Zero(), {}, -1, 0});
     struck.aim.may_take_back = true;
@@ -202,7 +201,7 @@ void SettledImpacts::list_struck(const HeldBodies& held, const BulkContacts& con
     struck.kept = is_alone && (is_pushed || !contacts.manifolds().is_new(number)) ? infinity : 0;
     for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
       double& speed = struck.aim.speeds[k];
-      speed = -manifold.restitution * manifold.points[k].first_speed;
+      speed = -manifold.restitution * meeting_speed(manifold, k, step.accelerations);
       // Bodies without joints have bounced as far as their energy allows.
       if (is_alone) speed = std::min(speed, std::max(0.0, u.dot(row_of(manifold.points[k]))));
     }
@@ -271,7 +270,8 @@ void SettledImpacts::take_back(BulkJoints& joints, BulkBodies& bodies) const {
 }
 
 /// Gives a contact what it lacks, or takes back what it did too much; whether that was more than rounding.
-bool SettledImpacts::change_motion(Struck& struck, BulkBodies& bodies) const {
+bool SettledImpacts::change_motion(Struck& struck, const std::vector<MotionRow>& accelerations,
+                                   BulkBodies& bodies) const {
   SolvedManifold& manifold = struck.manifold;
   if (struck.K(0, 0) < least_mobility * response_alone(manifold, bodies)(0, 0)) return false;
   const Vec6 u = motion_at(manifold, bodies);
@@ -281,7 +281,7 @@ bool SettledImpacts::change_motion(Struck& struck, BulkBodies& bodies) const {
   const Vec6 change = struck.K * found.wrench;
   const ImpactCost cost{0.5 * found.wrench.dot(change), found.wrench.dot(u)};
   const double e = manifold.restitution;
-  const double part = cost.affordable_part(e * e * energy_taken(manifold, bodies));
+  const double part = cost.affordable_part(e * e * energy_taken(manifold, accelerations, bodies));
   if (!(part * change.head<3>().norm() > settled * speed_of_impact(manifold))) return false;
   apply(manifold, part * found.wrench, bodies);
   const ManifoldImpulses impulses = found.part(part);

@@ -52,7 +52,7 @@ class SettledImpacts {
     int group;
     double kept;  ///< Sum of the normal impulses with which the next step may begin [N s].
   };
-  void list_struck(const HeldBodies& held, const BulkContacts& contacts, const BulkBodies& bodies);
+  void list_struck(const Step& step, const BulkContacts& contacts, const BulkBodies& bodies);
   double impulse_to_keep(const Struck& struck, const Step& step) const;
   void find_groups();
   void settle_group(int group, const Step& step, BulkJoints& joints, BulkBodies& bodies);
@@ -62,7 +62,7 @@ class SettledImpacts {
   Mat6 find_response(const Struck& struck, const Executor& executor, BulkJoints& joints, BulkBodies& bodies);
   Vec6 try_wrench(const SolvedManifold& manifold, const Vec6& wrench, const Executor& executor,
                   BulkJoints& joints, BulkBodies& bodies);
-  bool change_motion(Struck& struck, BulkBodies& bodies) const;
+  bool change_motion(Struck& struck, const std::vector<MotionRow>& accelerations, BulkBodies& bodies) const;
   double kinetic_energy(int group, const BulkBodies& bodies) const;
   void hold_joints(int group, const Executor& executor, BulkJoints& joints, BulkBodies& bodies) const;
 

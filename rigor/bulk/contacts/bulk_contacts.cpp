@@ -147,7 +147,8 @@ void BulkContacts::add_up(const Executor& executor) {
   });
 }
 
-bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& executor) {
+bool BulkContacts::find_bounces(const std::vector<MotionRow>& accelerations, const BulkBodies& bodies,
+                                const Executor& executor) {
   bounces_.assign(at(blocks_.count()), {});
   executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
     blocks_.for_totals(begin, end, [&](const auto& block, const auto& total, int number) {
@@ -157,15 +158,15 @@ bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& execut
         const SolvedManifold own = read(block, total, lane, at(manifold_of(number, lane)));
         if (!bounces(own)) continue;
         found.does_any = true;
-        found.most[at(lane)] = own.restitution * own.restitution * energy_taken(own, bodies);
+        found.most[at(lane)] = own.restitution * own.restitution * energy_taken(own, accelerations, bodies);
       }
     });
   });
   return std::any_of(bounces_.begin(), bounces_.end(), [](const BlockBounces& b) { return b.does_any; });
 }
 
-void BulkContacts::bounce_apart(const Model& model, HeldBodies& held, BulkBodies& bodies,
-                                const Executor& executor) {
+void BulkContacts::bounce_apart(const Model& model, const std::vector<MotionRow>& accelerations,
+                                HeldBodies& held, BulkBodies& bodies, const Executor& executor) {
   for_colours(executor, [&](int begin, int end) {
     blocks_.for_totals(begin, end, [&](const auto& block, auto& total, int number) {
       const BlockBounces& found = bounces_[at(number)];
@@ -173,8 +174,9 @@ void BulkContacts::bounce_apart(const Model& model, HeldBodies& held, BulkBodies
         const std::size_t i = at(lane);
         if (!(found.most[i] > 0)) continue;
         const std::size_t manifold = at(manifold_of(number, lane));
-        add_impulses(bounce(model, read(block, total, lane, manifold), found.most[i], held, bodies), lane,
-                     total);
+        add_impulses(
+            bounce(model, read(block, total, lane, manifold), found.most[i], accelerations, held, bodies),
+            lane, total);
       }
     });
   });

@@ -51,9 +51,11 @@ class BulkContacts {
   bool keeps_energy() const { return blocks_.has_totals(); }
   /// After the last substep, if has_restitution() and the impulses were added up: which contacts bounce, and
   /// how much energy each may give back; whether there are any.
-  bool find_bounces(const BulkBodies& bodies, const Executor& executor);
+  bool find_bounces(const std::vector<MotionRow>& accelerations, const BulkBodies& bodies,
+                    const Executor& executor);
   /// Then lets them bounce (manifold_bounce.hpp).
-  void bounce_apart(const Model& model, HeldBodies& held, BulkBodies& bodies, const Executor& executor);
+  void bounce_apart(const Model& model, const std::vector<MotionRow>& accelerations, HeldBodies& held,
+                    BulkBodies& bodies, const Executor& executor);
   /// Takes part(body_A, body_B) of the sums of each manifold's impulses away.
   template <class Part>
   void lessen(const Part& part) {

@@ -39,19 +39,23 @@ bool bounces(const SolvedManifold& manifold) {
   return manifold.restitution > 0 && strikes(manifold);
 }
 
-double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies) {
+double energy_taken(const SolvedManifold& manifold, const std::vector<MotionRow>& accelerations,
+                    const BulkBodies& bodies) {
   const Vec6 u = motion_at(manifold, bodies);
   double work = 0;
   for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
     const SolvedManifold::Point& point = manifold.points[k];
-    const double before = point.first_speed, now = u.dot(row_of(point));
+    // What did not strike met at the beginning of the step.
+    const double before =
+        strikes(manifold, k) ? meeting_speed(manifold, k, accelerations) : point.first_speed;
+    const double now = u.dot(row_of(point));
     work += 0.5 * static_cast<double>(manifold.impulses.normal[k]) * (before + now);
   }
   return std::max(0.0, -work);
 }
 
-ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, double most, HeldBodies& held,
-                        BulkBodies& bodies) {
+ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, double most,
+                        const std::vector<MotionRow>& accelerations, HeldBodies& held, BulkBodies& bodies) {
   const ManifoldFrame& f = manifold.frame;
   const std::array<int, 2> indices{manifold.body_A, manifold.body_B};
 
@@ -72,7 +76,7 @@ ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, doub
   // Newton's law, and Coulomb's for the whole impact.
   ImpactAim aim;
   for (std::size_t k = 0; k < at(manifold.point_count); ++k)
-    aim.speeds[k] = -manifold.restitution * manifold.points[k].first_speed;
+    aim.speeds[k] = -manifold.restitution * meeting_speed(manifold, k, accelerations);
   const ImpactImpulses found = find_impact(manifold, aim, u, K);
 
   // What the whole change of the velocities would cost.

@@ -14,9 +14,11 @@ bool bounces(const SolvedManifold& manifold);
 ///
 ///   -½ Σ λ (u⁻ + u)
 ///
-/// λ: impulses of the step, u⁻ and u: normal velocities of the points at its begin and now. Arms and normals
+/// λ: impulses of the step, u⁻ and u: normal velocities of the points when they met and now. Arms and normals
 /// stay for the whole step, so that ½ Σ λ (u⁻ + u) over all that acts is the change of the kinetic energy.
-double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies);
+/// `accelerations`: by forces, of each body.
+double energy_taken(const SolvedManifold& manifold, const std::vector<MotionRow>& accelerations,
+                    const BulkBodies& bodies);
 
 /// Lets the points of a manifold that bounce part at e times the speed at which they met (Newton), as far as
 /// that costs no more than the energy `most` [J]; other points that were pressed are held. Friction is that
@@ -27,7 +29,7 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies);
 ///
 /// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for Newton's
 /// law with several points; the bound of the energy is ours.
-ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, double most, HeldBodies& held,
-                        BulkBodies& bodies);
+ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, double most,
+                        const std::vector<MotionRow>& accelerations, HeldBodies& held, BulkBodies& bodies);
 
 }  // namespace rigor

@@ -149,6 +149,17 @@ Vec6 row_of(const SolvedManifold::Point& point) {
   return row;
 }
 
+double meeting_speed(const SolvedManifold& manifold, std::size_t point,
+                     const std::vector<MotionRow>& accelerations) {
+  const SolvedManifold::Point& own = manifold.points[point];
+  const Vec3 a = vector_of(accelerations[at(manifold.body_B)].data()) -
+                 vector_of(accelerations[at(manifold.body_A)].data());
+  // u² = u⁻² - 2 a·n s over the gap s.
+  const double square =
+      own.first_speed * own.first_speed - 2 * manifold.frame.n.dot(a) * std::max(0.0, own.gap);
+  return -std::sqrt(std::max(0.0, square));
+}
+
 bool strikes(const SolvedManifold& manifold, std::size_t point) {
   return manifold.impulses.normal[point] > 0 && meets_fast(manifold.points[point]);
 }

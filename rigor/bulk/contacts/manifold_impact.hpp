@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace rigor {
 
@@ -31,6 +32,12 @@ Vec6 row_of(const SolvedManifold::Point& point);
 bool strikes(const SolvedManifold& manifold, std::size_t point);
 /// Whether any point does.
 bool strikes(const SolvedManifold& manifold);
+
+/// Normal velocity at which a point that strikes met [m/s]: from the beginning of the step on forces change
+/// it by `accelerations`, of each body, until its gap is closed. Bounces would be lower by up to g times the
+/// step else.
+double meeting_speed(const SolvedManifold& manifold, std::size_t point,
+                     const std::vector<MotionRow>& accelerations);
 
 /// Impulses of a manifold besides those that it has, and their wrench.
 struct ImpactImpulses {
