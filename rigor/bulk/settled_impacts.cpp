@@ -201,7 +201,7 @@ void SettledImpacts::list_struck(const Step& step, const BulkContacts& contacts,
     struck.kept = is_alone && (is_pushed || !contacts.manifolds().is_new(number)) ? infinity : 0;
     for (std::size_t k = 0; k < at(manifold.point_count); ++k) {
       double& speed = struck.aim.speeds[k];
-      speed = -manifold.restitution * meeting_speed(manifold, k, step.accelerations);
+      speed = -manifold.restitution * meeting_speed(manifold, k, step.accelerations, bodies);
       // Bodies without joints have bounced as far as their energy allows.
       if (is_alone) speed = std::min(speed, std::max(0.0, u.dot(row_of(manifold.points[k]))));
     }

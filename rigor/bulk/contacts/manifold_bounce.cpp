@@ -47,7 +47,7 @@ double energy_taken(const SolvedManifold& manifold, const std::vector<MotionRow>
     const SolvedManifold::Point& point = manifold.points[k];
     // What did not strike met at the beginning of the step.
     const double before =
-        strikes(manifold, k) ? meeting_speed(manifold, k, accelerations) : point.first_speed;
+        strikes(manifold, k) ? meeting_speed(manifold, k, accelerations, bodies) : point.first_speed;
     const double now = u.dot(row_of(point));
     work += 0.5 * static_cast<double>(manifold.impulses.normal[k]) * (before + now);
   }
@@ -76,7 +76,7 @@ ManifoldImpulses bounce(const Model& model, const SolvedManifold& manifold, doub
   // Newton's law, and Coulomb's for the whole impact.
   ImpactAim aim;
   for (std::size_t k = 0; k < at(manifold.point_count); ++k)
-    aim.speeds[k] = -manifold.restitution * meeting_speed(manifold, k, accelerations);
+    aim.speeds[k] = -manifold.restitution * meeting_speed(manifold, k, accelerations, bodies);
   const ImpactImpulses found = find_impact(manifold, aim, u, K);
 
   // What the whole change of the velocities would cost.

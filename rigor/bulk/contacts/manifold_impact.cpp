@@ -150,10 +150,12 @@ Vec6 row_of(const SolvedManifold::Point& point) {
 }
 
 double meeting_speed(const SolvedManifold& manifold, std::size_t point,
-                     const std::vector<MotionRow>& accelerations) {
+                     const std::vector<MotionRow>& accelerations, const BulkBodies& bodies) {
   const SolvedManifold::Point& own = manifold.points[point];
-  const Vec3 a = vector_of(accelerations[at(manifold.body_B)].data()) -
-                 vector_of(accelerations[at(manifold.body_A)].data());
+  const auto acceleration_of = [&](int body) {
+    return bodies.gives_way(body) ? vector_of(accelerations[at(body)].data()) : Vec3(Vec3::Zero());
+  };
+  const Vec3 a = acceleration_of(manifold.body_B) - acceleration_of(manifold.body_A);
   // u² = u⁻² - 2 a·n s over the gap s.
   const double square =
       own.first_speed * own.first_speed - 2 * manifold.frame.n.dot(a) * std::max(0.0, own.gap);

@@ -36,8 +36,9 @@ bool strikes(const SolvedManifold& manifold);
 /// Normal velocity at which a point that strikes met [m/s]: from the beginning of the step on forces change
 /// it by `accelerations`, of each body, until its gap is closed. Bounces would be lower by up to g times the
 /// step else.
+/// What does not give way is not accelerated.
 double meeting_speed(const SolvedManifold& manifold, std::size_t point,
-                     const std::vector<MotionRow>& accelerations);
+                     const std::vector<MotionRow>& accelerations, const BulkBodies& bodies);
 
 /// Impulses of a manifold besides those that it has, and their wrench.
 struct ImpactImpulses {

@@ -197,6 +197,15 @@ std::vector<Contact> StepContacts::at_end(const State& end, const std::vector<Pa
   return contacts;
 }
 
+bool StepContacts::may_bounce(const Pair& pair) const {
+  for (const BodyShape& of_first : model_.body(pair.first).shapes) {
+    for (const BodyShape& of_second : model_.body(pair.second).shapes) {
+      if (model_.coefficients(of_first.material, of_second.material).restitution > 0) return true;
+    }
+  }
+  return false;
+}
+
 bool StepContacts::are_close(const State& end, const Pair& pair) const {
   constexpr double share_of_thickness = 0.1;
   const double reach =

@@ -46,6 +46,8 @@ class StepContacts {
                        const std::array<Pose, 2>& poses, double left, SpeculativeContacts& speculative);
   /// The pairs whose boxes are no farther apart than the contact tolerance.
   std::vector<Pair> touching_pairs(const State& state);
+  /// Whether the pair has shapes that bounce off each other.
+  bool may_bounce(const Pair& pair) const;
   /// Whether the pair is nearer at the end of a try than a tenth of the thickness of the thinner body.
   bool are_close(const State& end, const Pair& pair) const;
   /// Contacts of these pairs where they are at the end of a try, with gaps up to the contact tolerance. Of

@@ -292,7 +292,7 @@ TimeStepper::NextTry TimeStepper::learn(const State& state, SpeculativeContacts&
 
 /// Pairs that meet on the way have rows in the next try, if their contacts there are foreseen then; else the
 /// step ends where the first of them meets, or goes too deep.
-TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Trial& trial,
+TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, Trial& trial,
                                                   SpeculativeContacts& speculative) {
   constexpr double share_of_thickness = 0.1;
   const double h = trial.h;
@@ -318,14 +318,35 @@ TimeStepper::NextTry TimeStepper::learn_from_path(const State& state, const Tria
       next_try.until = std::min(next_try.until, is_at_once ? 0.5 * h : meeting);
     }
   };
-  for (const Pair& pair : trial.near.far)
-    learn_from(pair, ways_.meeting(pair, [&] { return path.first_meeting(pair); }));
+  // The first meeting of a body changes where it goes: what it would bounce off later may not be there then,
+  // and is looked at again in the next try.
+  std::vector<std::pair<double, Pair>> meetings;
+  for (const Pair& pair : trial.near.far) {
+    const double meeting = ways_.meeting(pair, [&] { return path.first_meeting(pair); });
+    if (meeting < h) meetings.emplace_back(meeting, pair);
+  }
+  std::ranges::sort(meetings);
+  for (const auto& [meeting, pair] : meetings) {
+    for (const int body : {pair.first, pair.second})
+      if (model_->body(body).motion == MotionType::dynamic) trial.first_meetings.emplace(body, meeting);
+    if (!is_uncertain(trial, pair, meeting)) learn_from(pair, meeting);
+  }
   for (const Pair& pair : trial.near.watched) {
     const double thin = std::min(contacts_.thickness(pair.first), contacts_.thickness(pair.second));
     const double slack = std::max(method_.contact_tolerance, share_of_thickness * thin);
     learn_from(pair, ways_.clear_until(pair, [&] { return path.without_overlap(pair, slack); }));
   }
   return next_try;
+}
+
+/// Whether a pair that comes together after a time [s] in a try has a body that has met another before, and
+/// would bounce.
+bool TimeStepper::is_uncertain(const Trial& trial, const Pair& pair, double meeting) const {
+  const auto has_met = [&](int body) {
+    const auto first = trial.first_meetings.find(body);
+    return first != trial.first_meetings.end() && first->second < meeting - least_step_share * trial.h;
+  };
+  return (has_met(pair.first) || has_met(pair.second)) && contacts_.may_bounce(pair);
 }
 
 /// Pairs that overlap at the end were pushed where they would not have gone by themselves, or came round with
@@ -346,7 +367,7 @@ TimeStepper::NextTry TimeStepper::learn_from_end(const State& state, Speculative
     worst = std::max(worst, misjudgement);
   }
   for (const auto& [pair, misjudgement] : misjudged) {
-    if (misjudgement == 0) continue;
+    if (misjudgement == 0 || is_uncertain(trial, pair, trial.h)) continue;
     const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
     if (misjudgement > 1) speculative.take_back_foreseen(pair);
     if (contacts_.add_speculative(state, start, pair, poses, 0, speculative)) {

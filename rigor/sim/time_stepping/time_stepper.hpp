@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -54,9 +55,10 @@ class TimeStepper : public FixedStepStepper {
     std::optional<std::vector<Contact>> at_end = {};  ///< Contacts there, where they were looked for.
     std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
     std::vector<ContactForce> forces = {};            ///< All through the step.
-    double gain = 0;                                  ///< Energy gained beyond work and rounding [J].
-    std::vector<Cluster> parts = {};                  ///< As they were moved, at the beginning.
-    std::vector<const MovedPart*> moved = {};         ///< Of each part; valid as long as the step is tried.
+    std::map<int, double> first_meetings = {};  ///< When bodies first meet others from afar [s], by body.
+    double gain = 0;                            ///< Energy gained beyond work and rounding [J].
+    std::vector<Cluster> parts = {};            ///< As they were moved, at the beginning.
+    std::vector<const MovedPart*> moved = {};   ///< Of each part; valid as long as the step is tried.
   };
   /// What a try says of the next one.
   struct NextTry {
@@ -81,7 +83,8 @@ class TimeStepper : public FixedStepStepper {
                   const std::vector<Contact>& contacts, Trial& trial);
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
   NextTry learn(const State& state, SpeculativeContacts& speculative, Trial& trial);
-  NextTry learn_from_path(const State& state, const Trial& trial, SpeculativeContacts& speculative);
+  NextTry learn_from_path(const State& state, Trial& trial, SpeculativeContacts& speculative);
+  bool is_uncertain(const Trial& trial, const Pair& pair, double meeting) const;
   NextTry learn_from_end(const State& state, SpeculativeContacts& speculative, Trial& trial);
   void project_joints(Cluster& part, AdvanceReport& report) const;
   void admit_overlaps(State& state);

@@ -10,8 +10,8 @@ namespace {
 
 /// A block slides against a curb and stops; a ball flies over the curb past the block, through where this
 /// would be if it went on. Where the curb is far away, it strikes the side of the block.
-std::shared_ptr<const Model> block_and_ball(double curb) {
-  ModelBuilder builder = test::stepping_builder(0, 0, Vec3::Zero());
+std::shared_ptr<const Model> block_and_ball(double curb, double restitution = 0) {
+  ModelBuilder builder = test::stepping_builder(restitution, 0, Vec3::Zero());
   BodyDescription block = test::stepping_body("block", Box{Vec3::Constant(0.05)}, Vec3(0, -0.05, 0.05));
   block.velocity = Vec3(0, 8, 0);
   builder.add_body(block);
@@ -39,6 +39,14 @@ TEST(Foresight, OfWhatDoesNotComeIsTakenBack) {
   const auto [block, ball] = after_a_step(block_and_ball(0.01));
   // The block comes to the curb by the end of the step.
   EXPECT_LE((block - Vec3(0, 1, 0)).norm(), 1e-9);
+  EXPECT_LE((ball - Vec3(-4, 0, 0)).norm(), 1e-12);
+}
+
+TEST(Foresight, NothingBouncesOffWhatDoesNotCome) {
+  // A try shows that the block meets the curb first. It bounces back, and the ball is where it never comes:
+  // it lost more than half of its speed at nothing.
+  const auto [block, ball] = after_a_step(block_and_ball(0.01, 0.5));
+  EXPECT_LE((block - Vec3(0, -4, 0)).norm(), 1e-9);
   EXPECT_LE((ball - Vec3(-4, 0, 0)).norm(), 1e-12);
 }
 
