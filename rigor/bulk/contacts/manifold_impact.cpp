@@ -156,9 +156,16 @@ double meeting_speed(const SolvedManifold& manifold, std::size_t point,
     return bodies.gives_way(body) ? vector_of(accelerations[at(body)].data()) : Vec3(Vec3::Zero());
   };
   const Vec3 a = acceleration_of(manifold.body_B) - acceleration_of(manifold.body_A);
-  // u² = u⁻² - 2 a·n s over the gap s.
-  const double square =
-      own.first_speed * own.first_speed - 2 * manifold.frame.n.dot(a) * std::max(0.0, own.gap);
+  // u² = u⁻² - 2 a·n s over the part s of the gap that the bodies have closed.
+  const auto way_of = [&](int body, const Vec3& r) {
+    MotionRecord way;
+    std::copy_n(bodies.motion[at(body)].dp, 3, way.v);
+    std::copy_n(bodies.motion[at(body)].dr, 3, way.w);
+    return motion_at(manifold.frame, r, way);
+  };
+  const Vec6 way = way_of(manifold.body_B, manifold.frame.rB) - way_of(manifold.body_A, manifold.frame.rA);
+  const double closed = std::clamp(-way.dot(row_of(own)), 0.0, std::max(0.0, own.gap));
+  const double square = own.first_speed * own.first_speed - 2 * manifold.frame.n.dot(a) * closed;
   return -std::sqrt(std::max(0.0, square));
 }
 

@@ -275,7 +275,7 @@ TEST(BulkImpacts, BallsBounceAsHighAsTheirRestitutionSays) {
     for (const double step : {1.0 / 60, 0.01, 0.004}) {
       const auto [least, largest] = heights_of_bounces(count, step, 17);
       EXPECT_GT(least, 0.98) << count << " " << step;
-      EXPECT_LT(largest, 1.015) << count << " " << step;
+      EXPECT_LT(largest, 1.01) << count << " " << step;
     }
   }
 }
