@@ -39,11 +39,11 @@ void HalfKicks::take_part(float part, const Kick& kick, const Executor& executor
     for (int place = begin; place < end; ++place) {
       const std::size_t k = at(flying_[at(place)]);
       // Linear velocity first, then angular.
+      float* const v = bodies.motion[k].v;
       for (const int half : {0, 4}) {
-        float* const v = bodies.motion[k].v + half;
-        FloatRow next = load_row(v) + time * load_row(kick.accelerations[k].data() + half);
+        FloatRow next = load_row(v + half) + time * load_row(kick.accelerations[k].data() + half);
         if (has_turns) next += load_row(kick.turns[k].data() + half);
-        store_row(next, v);
+        store_row(next, v + half);
       }
     }
   });
