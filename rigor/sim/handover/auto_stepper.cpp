@@ -29,10 +29,23 @@ bool is_out_of_its_depth(StopReason reason) {
   return reason == StopReason::events_accumulate || reason == StopReason::impact_unsolved;
 }
 
+/// Whether the scheme lost a motion that a coarser one may keep: its steps became too short, or its numbers
+/// too large.
+bool is_lost(StopReason reason) {
+  return reason == StopReason::unresolved || reason == StopReason::not_finite;
+}
+
 /// Whether a stop leaves no State but that of before.
 bool leaves_nothing(StopReason reason) {
   return reason == StopReason::not_finite || reason == StopReason::broken_promise ||
          reason == StopReason::unresolved || reason == StopReason::interrupted;
+}
+
+/// Where that happened, and who goes on from the State before.
+std::string lost_by(const char* who, const AdvanceReport& report, double begin) {
+  return fmt::format("{} by {}: {}; steps went on from t = {:.9g} s, the State before",
+                     report.reason == StopReason::unresolved ? "unresolved" : "not finite", who,
+                     report.detail, begin);
 }
 
 /// The end of the next few of the equal steps to t_end.
@@ -123,12 +136,12 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
       {.rate = bounds_.paid_by_events, .most = bounds_.most_owed, .owed = memory_.owed, .t = begin});
   AdvanceReport report = events_->advance(state, t_end);
   // What events cannot follow, equal steps may. The State is that of before.
-  const bool is_unresolved = report.reason == StopReason::unresolved;
-  if (!is_unresolved && leaves_nothing(report.reason)) return report;
+  const bool has_lost = is_lost(report.reason);
+  if (!has_lost && leaves_nothing(report.reason)) return report;
 
   // What is owed now; where it is too much, or the scheme has given up, steps take over.
   WorkBudget budget = events_->budget();
-  if (!is_unresolved) {
+  if (!has_lost) {
     budget.charge(0, state.t);
     memory_.owed = budget.owed;
   }
@@ -136,9 +149,8 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
   std::string cause;
   if (is_out_of_its_depth(report.reason)) {
     cause = report.detail;
-  } else if (is_unresolved) {
-    cause = fmt::format("unresolved by events: {}; steps went on from t = {:.9g} s, the State before",
-                        report.detail, begin);
+  } else if (has_lost) {
+    cause = lost_by("events", report, begin);
   } else if (budget.is_exceeded()) {
     cause = fmt::format(
         "events crowd: {} contact problems for {} impacts within {:.3g} s; the work that time has not paid "
@@ -171,14 +183,21 @@ AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look
       end > t_look + time_rounding() ? steps().look(state, end, t_look) : steps().advance(state, end);
   const bool is_given_up = report.reason == StopReason::interrupted && steps().is_beyond_work_limit();
   if (is_given_up) report.reason = StopReason::reached_end;
-  if (leaves_nothing(report.reason)) return report;
+  // What exact steps cannot follow, soft steps may.
+  const bool has_lost = is_lost(report.reason) && choice_.soft_steps;
+  if (!has_lost && leaves_nothing(report.reason)) return report;
+  std::string lost;
+  if (has_lost) {
+    lost = lost_by("exact steps", report, begin);
+    report = {};
+  }
 
   std::string cause = reason_to_return(begin, state.t, report);
-  const std::string too_dear = reason_to_soften(begin, state.t, report);
-  RIGOR_ASSERT(!is_given_up || !too_dear.empty());
-  if (!too_dear.empty()) {
+  std::string soften = has_lost ? lost : reason_to_soften(begin, state.t, report);
+  RIGOR_ASSERT(!is_given_up || !soften.empty());
+  if (!soften.empty()) {
     memory_ = {.carrier = Carrier::soft_steps, .soft_step = soft_step_from(state)};
-    cause = too_dear;
+    cause = std::move(soften);
   } else if (!cause.empty()) {
     memory_ = {.owed_by_steps = memory_.owed_by_steps};
   }

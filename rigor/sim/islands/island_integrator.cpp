@@ -228,6 +228,16 @@ double IslandIntegrator::energy_error(const Island& island, const IslandStep& st
   return error / (tolerance_ * scale + roundings * gain.rounding);
 }
 
+/// Whether a step has made of nothing what shows in the energy of the bodies: near a configuration in which
+/// the forces of joints have no bound (a net pulled flat) every step is too long, and explicit stages feed on
+/// their own error.
+bool IslandIntegrator::has_exploded(const Island& island, const IslandStep& step) const {
+  constexpr double share = 1e-6;
+  if (moves_prescribed_) return false;
+  const Gain gain = gain_of(island, step);
+  return !(gain.energy - std::max(0.0, step.work.motors) <= share * gain.scale);
+}
+
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
                                                  const StepBounds& bounds) const {
   constexpr double useful_share = useless_share, damped_share = 1.0 / 64, share_of_longest = 0.2;
@@ -247,8 +257,9 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
     if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
     const StepDecision decision =
         controller.decide(h, is_finite ? taken.error : std::numeric_limits<double>::infinity());
-    if (!is_finite && h <= bounds.least && island.contacts.empty())
-      throw too_fast(model_, environment_, island.bodies, island.start, h);
+    const bool is_lost = h <= bounds.least && island.contacts.empty() &&
+                         (!is_finite || (!decision.is_accepted && has_exploded(island, taken)));
+    if (is_lost) throw too_fast(model_, environment_, island.bodies, island.start, h);
     if (decision.is_accepted || h <= bounds.least) return {std::move(taken), decision.h_next};
     if (may_be_stiff && decision.h_next < std::min(useful, share_of_longest * bounds.longest))
       return stiff_step(island, std::min(bounds.longest, damped), bounds);

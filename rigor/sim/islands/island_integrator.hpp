@@ -66,6 +66,7 @@ class IslandIntegrator {
   Gain gain_of(const Island& island, const IslandStep& step) const;
   double energy_error(const Island& island, const IslandStep& step) const;
   bool gains(const Island& island, const IslandStep& step) const;
+  bool has_exploded(const Island& island, const IslandStep& step) const;
   /// Closes the books of a stiff step that is coarser than its tolerance; false if it gained more energy than
   /// can be taken from it.
   bool close_stiff_step(const Island& island, IslandStep& step) const;

@@ -5,6 +5,7 @@
 #include "rigor/core/work_count.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace rigor {
@@ -48,16 +49,26 @@ std::vector<const MovedPart*> PartMemory::moved(double h, double theta, StepAccu
   std::vector<MovedPart> answers(fresh.size());
   std::vector<std::uint64_t> operations(fresh.size());
   const std::function<bool()> interrupt = shared_interrupt();
+  const double left = most_work_ - static_cast<double>(work_);
+  const auto is_too_much = [left](std::uint64_t work) { return static_cast<double>(work) > left; };
   executor.for_ranges(static_cast<int>(fresh.size()), 1, [&](int begin, int end) {
-    const InterruptScope scope(interrupt);
     for (int k = begin; k < end; ++k) {
+      // A part that does too much is ended as by an interrupt, at a place that its own work decides.
       const std::uint64_t before = work_counted();
-      answers[at(k)] = move(parts[fresh[at(k)]]);
-      operations[at(k)] = work_counted() - before;
+      const auto work = [before] { return work_counted() - before; };
+      const std::function<bool()> ends = [&] { return is_too_much(work()) || (interrupt && interrupt()); };
+      const InterruptScope scope(ends);
+      try {
+        answers[at(k)] = move(parts[fresh[at(k)]]);
+      } catch (const Interrupted&) {
+        if (!is_too_much(work())) throw;
+      }
+      operations[at(k)] = work();
     }
   });
+  work_ = std::accumulate(operations.begin(), operations.end(), work_);
+  if (std::any_of(operations.begin(), operations.end(), is_too_much)) throw TooMuchWork();
   for (std::size_t k = 0; k < fresh.size(); ++k) {
-    work_ += operations[k];
     known_.push_back({h, theta, parts[fresh[k]], std::move(answers[k])});
     result[fresh[k]] = &known_.back().moved;
   }

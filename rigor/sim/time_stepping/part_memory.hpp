@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace rigor {
@@ -30,20 +31,25 @@ bool are_same_contacts(const std::vector<Contact>& a, const std::vector<Contact>
 bool is_same_phase(const BodyPhase& a, const BodyPhase& b);
 bool are_same_phases(const std::vector<BodyPhase>& a, const std::vector<BodyPhase>& b);
 
+/// A step has done more work than it may.
+struct TooMuchWork {};
+
 /// The parts that the tries of one step have moved. Where tries differ elsewhere only, a part is the same
 /// problem again, bit for bit, and its answer is known.
 class PartMemory {
  public:
   using Move = std::function<MovedPart(const Cluster&)>;
 
-  /// Forgets all: another step begins.
-  void clear() {
+  /// Forgets all: another step begins, whose parts may do so many operations (count_work).
+  void clear(double most_work = std::numeric_limits<double>::infinity()) {
     known_.clear();
     work_ = 0;
+    most_work_ = most_work;
   }
   /// The parts, of which no two share a body, moved by h with the share theta as `move` does it. Only parts
   /// that are not known as accurately as this are moved, side by side on the threads of the executor; the
-  /// answer does not depend on them. One pointer per part, valid until clear().
+  /// answer does not depend on them. One pointer per part, valid until clear(). Throws TooMuchWork where one
+  /// part alone does more than is left.
   std::vector<const MovedPart*> moved(double h, double theta, StepAccuracy accuracy,
                                       const std::vector<Cluster>& parts, const Move& move,
                                       const Executor& executor);
@@ -60,6 +66,7 @@ class PartMemory {
 
   std::deque<Known> known_;
   std::uint64_t work_ = 0;
+  double most_work_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace rigor

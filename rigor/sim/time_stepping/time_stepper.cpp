@@ -27,9 +27,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A step has done more work than the call may.
-struct TooMuchWork {};
-
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
@@ -106,7 +103,7 @@ double TimeStepper::take_step(double h, State& state) {
   constexpr double tolerable = 1e-10;
 
   // What the tries of this step show is for this step.
-  moved_.clear();
+  moved_.clear(work_limit_ - report_.step_work);
   impacts_.clear();
   free_motions_.clear();
   ways_.clear();

@@ -81,8 +81,10 @@ std::optional<double> RelativeTrajectory::between(double ta, const Vec3& a, doub
   return share ? std::optional(ta + *share * (tb - ta)) : std::nullopt;
 }
 
-/// The part of a chord after which it first goes into the solid.
+/// The part of a chord after which it first goes into the solid. A motion beyond all numbers has no chord:
+/// the scheme that made it ends as not finite.
 std::optional<double> RelativeTrajectory::entry_of_chord(const Vec3& a, const Vec3& b) const {
+  if (!std::isfinite((b - a).stableNorm())) return std::nullopt;
   for (const RayHit& hit : find_ray_hits(shape_.shape, shape_.X_BS, {a, b - a, 1})) {
     if (goes_in(shape_.shape, hit)) return hit.fraction;
   }

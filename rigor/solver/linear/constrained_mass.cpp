@@ -93,12 +93,11 @@ void ConstrainedMass::factor(std::span<const Mat6> masses, std::span<const Mat6>
                              const RowChoice* choice) {
   const bool is_new = copy_input(masses, rows);
   if (is_factored_ && !is_new && is_same_choice(choice)) return;
-  constexpr std::uint64_t operations = 20;  // Of a link with all that is asked about one configuration.
-  count_work(operations * graph_.links.size());
   set_active_rows(choice);
   factor_trees();
   for (Loop& loop : loops_) eliminate(loop);
   factor_dense(choice == nullptr ? kDependentRow : kRounding);
+  count_work(operations());
   is_factored_ = true;
   asked_choice_.reset();
   if (choice != nullptr) asked_choice_ = *choice;
@@ -258,6 +257,19 @@ Vec6 ConstrainedMass::padded(const Eigen::Ref<const VecX>& x, int link) const {
 
 void ConstrainedMass::store(const Vec6& values, int link, Eigen::Ref<VecX> x) const {
   for (int i = 0; i < rows_of(link); ++i) x(first_row(link) + i) = values(i);
+}
+
+/// What the factors of this configuration cost, with all that is asked of them (count_work).
+std::uint64_t ConstrainedMass::operations() const {
+  constexpr std::uint64_t of_link = 20,
+                          rows_cubed = 500;  // So many cubes of rows of the dense system make one.
+  std::uint64_t count = of_link * graph_.links.size();
+  // Loops are multiplied with each other wherever their ways to the roots meet.
+  std::vector<std::uint64_t> ways(pivots_.size(), 0);
+  for (const Loop& loop : loops_)
+    for (const SpanningForest::PathNode& node : loop.path) count += ++ways[at(node.place)];
+  const auto rows = static_cast<std::uint64_t>(S_.rows());
+  return count + rows * rows * rows / rows_cubed;
 }
 
 std::size_t ConstrainedMass::block_count() const {

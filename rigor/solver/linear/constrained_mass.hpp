@@ -6,6 +6,7 @@
 #include "rigor/solver/linear/spanning_forest.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -96,6 +97,7 @@ class ConstrainedMass {
   void eliminate(Loop& loop) const;
   Eigen::Index number_dense_rows();
   void factor_dense(double threshold);
+  std::uint64_t operations() const;
 
   MatX motions_of_trees() const;
   /// Coefficients of the dense system's rows on these velocities.
