@@ -70,10 +70,11 @@ void add_run(CLI::App& app, RunOptions& run) {
   add_value(app, "--cpu-limit", run.cpu_limit,
             "processor time after which the run is ended, with what there is by then [s]", "S")
       ->check(number_in(time_span, "s"));
-  add_value(app, "--threads", run.threads,
-            "threads on which steps are computed (time-stepping, also under auto); the answer does not "
-            "depend on it",
-            "N")
+  add_value(
+      app, "--threads", run.threads,
+      "threads on which steps (time-stepping, also under auto) and, by the schemes of events, groups of "
+      "bodies far from each other are computed; the answer does not depend on it",
+      "N")
       ->check(CLI::Range(1, most_threads));
   add_json(app, run.json, "the audit");
   app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");

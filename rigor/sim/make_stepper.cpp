@@ -2,6 +2,7 @@
 
 #include "rigor/sim/bulk/bulk_stepper.hpp"
 #include "rigor/sim/drives/driven_stepper.hpp"
+#include "rigor/sim/event_driven/divided_stepper.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/event_driven/impulse_based_stepper.hpp"
@@ -20,6 +21,8 @@ std::unique_ptr<EventDrivenStepper> make_event_driven(std::shared_ptr<const Mode
                                                       const Method& method, double target_step) {
   if (method.scheme == Scheme::hybrid)
     return std::make_unique<HybridStepper>(std::move(model), method, target_step);
+  if (method.scheme == Scheme::impulse_based)
+    return std::make_unique<ImpulseBasedStepper>(std::move(model), method, target_step);
   return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
 }
 
@@ -40,9 +43,10 @@ std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const
     return std::make_unique<GlobalPenaltyStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::penalty)
     return std::make_unique<PenaltyStepper>(std::move(model), resolved, target_step);
-  if (resolved.scheme == Scheme::impulse_based)
-    return std::make_unique<ImpulseBasedStepper>(std::move(model), resolved, target_step);
-  return make_event_driven(std::move(model), resolved, target_step);
+  const auto make = [model, resolved, target_step] {
+    return make_event_driven(model, resolved, target_step);
+  };
+  return std::make_unique<DividedStepper>(std::move(model), resolved, make, threads);
 }
 
 }  // namespace

@@ -6,29 +6,12 @@
 #include "rigor/sim/islands/too_fast.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/toi_choice.hpp"
-#include "rigor/sim/pairs/remembered_forces.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 namespace rigor {
-
-namespace {
-
-BodyPhase phase_in(const State& state, int body) {
-  return {state.position(body), state.orientation(body), state.linear_momentum(body),
-          state.angular_momentum(body)};
-}
-
-BodyPhase anchor_in(const State& state, int body) {
-  const double* y = &state.anchor[13 * at(body)];
-  return {Vec3(y[0], y[1], y[2]), Quat(y[3], y[4], y[5], y[6]), Vec3(y[7], y[8], y[9]),
-          Vec3(y[10], y[11], y[12])};
-}
-
-}  // namespace
 
 EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method,
                                        double target_step)
@@ -39,6 +22,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
     : model_(std::move(model)),
       method_(method),
       target_step_(target_step),
+      is_here_(at(model_->body_count()), true),
       environment_(*model_),
       assembler_(*model_, environment_),
       integrator_(*model_, environment_, assembler_, method),
@@ -47,8 +31,20 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       joints_(*model_, assembler_),
       contacts_(*model_, environment_, assembler_, method_),
       trajectories_(*model_, toi, method.broad_phase),
-      witness_(model_) {
+      witness_(std::make_shared<SharedWitness>(model_)) {
   RIGOR_ASSERT(target_step > 0);
+}
+
+void EventDrivenStepper::advance_only(const std::vector<bool>& bodies,
+                                      std::shared_ptr<SharedWitness> witness) {
+  is_here_ = bodies;
+  for (int body = 0; body < model_->body_count(); ++body) {
+    if (!is_dynamic(body)) is_here_[at(body)] = true;
+  }
+  is_one_of_several_ = true;
+  trajectories_.follow_only(is_here_);
+  witness_ = std::move(witness);
+  mirror_ = {};
 }
 
 AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
@@ -70,90 +66,13 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
     } else if (next_.kind == QueuedEvent::Kind::search) {
       continue_search();
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {
-      handle_event(seeds, {});
+      handle_event(seeds);
     }
   }
-  witness_.watch(trajectories_.take_paths(t_), report_);
+  witness_->watch(trajectories_.take_paths(t_), report_);
   write_state_to_bodies(state);
   report_.distance_queries = trajectories_.distance_queries() - queries;
   return report_;
-}
-
-/// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh.
-void EventDrivenStepper::read_state_from_bodies(const State& state) {
-  t_ = state.t;
-  // Without a mirror from now on: what breaks off here is not continued, since the motions are no longer
-  // those of the State that was left.
-  const bool is_continued = state == std::exchange(mirror_, {});
-  std::vector<int> seeds;
-  std::vector<int> restored;
-  stepping_.restart();
-  repeats_.assign(at(model_->body_count()), 0);
-  searches_.assign(at(model_->body_count()), {});
-  last_event_.assign(at(model_->body_count()), -std::numeric_limits<double>::infinity());
-  if (!is_continued) {
-    queue_.clear();
-    islands_.clear();
-    std::vector<bool> has_events(at(model_->body_count()));
-    for (int body = 0; body < model_->body_count(); ++body) has_events[at(body)] = is_dynamic(body);
-    forces_.reset(std::move(has_events));
-    island_of_.assign(at(model_->body_count()), -1);
-  }
-  for (int body = 0; body < model_->body_count(); ++body) {
-    const bool is_here = is_dynamic(body) && state.epoch[at(body)] == t_;
-    if (is_here) seeds.push_back(body);
-    if (is_continued && !is_here) continue;
-    if (!is_continued) trajectories_.clear_lasting_contacts(body);
-    if (!is_dynamic(body)) {
-      renew_prescribed(body);
-    } else {
-      const BodyPhase anchor = anchor_in(state, body), now = phase_in(state, body);
-      const bool rests = !is_here && now.P.isZero(0) && now.L.isZero(0) && now.x == anchor.x &&
-                         now.q.coeffs() == anchor.q.coeffs();
-      const double epoch = state.epoch[at(body)];
-      trajectories_.set_motion(body,
-                               rests ? Motion::at_rest(anchor, epoch)
-                                     : Motion::flight(FreeFlight(inertia(body), anchor, epoch,
-                                                                 environment_.steady_acceleration(body)),
-                                                      inertia(body)),
-                               epoch);
-    }
-    restored.push_back(body);
-  }
-  if (!is_continued) {
-    for (const ContactForce& force : state.events.is_left ? forces_in(state) : std::vector<ContactForce>()) {
-      trajectories_.set_lasting_contact(force.key.body_A, force.key.body_B);
-      forces_.note(force);
-    }
-    trajectories_.restore(restored, t_, queue_);
-    // The contacts of the others are predicted when they have set out.
-    std::vector<int> under_way;
-    std::set_difference(restored.begin(), restored.end(), seeds.begin(), seeds.end(),
-                        std::back_inserter(under_way));
-    trajectories_.predict_among(under_way, queue_);
-  }
-  // Where a leg of a path begins now, what lies on its body or hangs from it notices.
-  std::vector<int> turned;
-  for (int body = 0; body < model_->body_count(); ++body) {
-    if (!begins_leg(body)) continue;
-    if (is_continued) renew_prescribed(body);
-    const std::vector<int> moved = moved_by(body);
-    seeds.insert(seeds.end(), moved.begin(), moved.end());
-    turned.push_back(body);
-  }
-  next_ = {t_, QueuedEvent::Kind::window_end, -1, -1, 0, 0, 0};
-  has_given_state_ = !is_continued && !state.events.is_left;
-  if (!seeds.empty() || !turned.empty()) handle_event(seeds, turned);
-  has_given_state_ = false;
-}
-
-/// Kinematic and fixed bodies are on the leg of their path that holds t.
-void EventDrivenStepper::renew_prescribed(int body) {
-  double begin = 0;
-  for (const PathPoint& point : model_->body(body).path) {
-    if (point.time <= t_) begin = std::max(begin, point.time);
-  }
-  trajectories_.set_motion(body, Motion::prescribed(model_->body(body), begin), begin);
 }
 
 /// Whether a prescribed body moves along another leg of its path from now on.
@@ -169,6 +88,7 @@ std::vector<int> EventDrivenStepper::moved_by(int body) const {
     return std::binary_search(anchors.begin(), anchors.end(), body);
   };
   for (int other = 0; other < model_->body_count(); ++other) {
+    if (!is_here(other)) continue;
     if (holds(environment_.joint_anchors(other)) || holds(environment_.spring_anchors(other)))
       moved.push_back(other);
   }
@@ -225,24 +145,50 @@ void EventDrivenStepper::note_search(const QueuedEvent& event) {
 }
 
 /// One event: the bodies concerned are brought to now, collide, come to rest or part, and set out anew.
-void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector<int> changed) {
+void EventDrivenStepper::handle_event(const std::vector<int>& seeds) {
   const WorkBefore before = work_so_far();
+  std::vector<int> changed;
+  if (resolve(seeds, changed)) set_out(changed, before);
+}
+
+/// The same for bodies that no event has in common: those that touch are judged together, each such cluster
+/// by itself, so that nothing depends on what there is elsewhere. Others have changed already.
+void EventDrivenStepper::judge_afresh(const std::vector<int>& seeds, std::vector<int> changed) {
+  const WorkBefore before = work_so_far();
+  std::vector<bool> is_judged(at(model_->body_count()));
+  for (const int seed : seeds) {
+    if (is_judged[at(seed)] || !is_dynamic(seed)) continue;
+    const std::size_t first = changed.size();
+    if (!resolve({seed}, changed)) return;
+    for (std::size_t i = first; i < changed.size(); ++i) is_judged[at(changed[i])] = true;
+  }
+  set_out(changed, before);
+}
+
+/// Brings all that touches the seeds to now, and gives it its motion from now on; appends these bodies. False
+/// if the budget does not allow it.
+bool EventDrivenStepper::resolve(const std::vector<int>& seeds, std::vector<int>& changed) {
   Cluster cluster = compute_new_body_states(seeds);
   if (WorkBudget foreseen = budget_; foreseen.charge(least_effort_of(cluster), t_), foreseen.is_exceeded()) {
     // Who takes over takes the bodies as they came here.
     budget_ = foreseen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
       trajectories_.set_motion(cluster.bodies[i], Motion::at_rest(cluster.phases[i], t_), t_);
-    return;
+    return false;
   }
   apply_forces(cluster);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
+  return true;
+}
+
+/// Foresees what bodies with new motions meet, and what the event has cost.
+void EventDrivenStepper::set_out(const std::vector<int>& changed, const WorkBefore& before) {
   trajectories_.predict(changed, t_, queue_);
 
   charge_event(before);
   drop_stale_events();
   constexpr std::size_t most_pieces = 4096;
-  if (trajectories_.piece_count() > most_pieces) witness_.watch(trajectories_.take_paths(t_), report_);
+  if (trajectories_.piece_count() > most_pieces) witness_->watch(trajectories_.take_paths(t_), report_);
 }
 
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
@@ -254,7 +200,7 @@ void EventDrivenStepper::begin_new_window(int body) {
     return charge_following(before);
   }
   renew_prescribed(body);
-  handle_event(moved_by(body), {body});
+  judge_afresh(moved_by(body), {body});
 }
 
 /// The bodies of the event and all that they touch or are tied to, at the present time.
@@ -446,41 +392,6 @@ void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& b
     (is ? report_.resting : report_.separations) += 1;
     if (!is) report_.events.push_back({MotionEvent::Kind::separation, t_, a, b});
   }
-}
-
-/// All bodies at the end of the span, and the contacts that last. Islands end here, so that the State alone
-/// says how they continue.
-void EventDrivenStepper::write_state_to_bodies(State& state) {
-  // Islands end, with velocities that their joints allow.
-  Cluster ended;
-  ended.t = t_;
-  while (!islands_.empty()) finish_island(islands_.begin()->first, ended);
-  if (!ended.bodies.empty()) joints_.project_velocities(ended, report_);
-  for (std::size_t i = 0; i < ended.bodies.size(); ++i) {
-    const BodyPhase& phase = ended.phases[i];
-    trajectories_.set_motion(ended.bodies[i], Motion::at_rest(phase, t_), t_);
-  }
-
-  // Each body: its anchor, and where it is now.
-  state.t = t_;
-  for (int body = 0; body < model_->body_count(); ++body) {
-    const Motion& motion = trajectories_.motion(body);
-    const BodyPhase now = motion.phase(t_);
-    // Also where the epoch is the old one: a motion may end and the next begin at one instant.
-    if (is_dynamic(body)) {
-      const BodyPhase anchor = motion.phase(motion.begin());
-      state.t = motion.begin();
-      state.set_body(body, anchor.x, anchor.q, anchor.P, anchor.L);
-      state.t = t_;
-    }
-    Vec3::Map(&state.x[3 * at(body)]) = now.x;
-    Vec4::Map(&state.q[4 * at(body)]) = Vec4(now.q.w(), now.q.x(), now.q.y(), now.q.z());
-    Vec3::Map(&state.P[3 * at(body)]) = now.P;
-    Vec3::Map(&state.L[3 * at(body)]) = now.L;
-  }
-  state.events.is_left = true;
-  keep_forces(forces_.all(), state);
-  mirror_ = state;
 }
 
 }  // namespace rigor

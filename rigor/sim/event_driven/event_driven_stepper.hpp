@@ -4,6 +4,7 @@
 #include "rigor/model/state.hpp"
 #include "rigor/sim/event_driven/event_queue.hpp"
 #include "rigor/sim/event_driven/last_forces.hpp"
+#include "rigor/sim/event_driven/shared_witness.hpp"
 #include "rigor/sim/event_driven/trajectories.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/islands/cluster.hpp"
@@ -12,7 +13,6 @@
 #include "rigor/sim/islands/island_stepping.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/report/work_budget.hpp"
-#include "rigor/sim/witness/passage_witness.hpp"
 
 #include <cstdint>
 #include <map>
@@ -42,6 +42,13 @@ class EventDrivenStepper : public Stepper {
   void set_budget(const WorkBudget& budget) { budget_ = budget; }
   /// What it owes since then.
   const WorkBudget& budget() const { return budget_; }
+  /// Only these bodies are advanced from now on, in States of all bodies; others neither move nor meet them.
+  /// Of each body whether it is one; those that are prescribed are. Contacts that the State remembers are of
+  /// these bodies only. The witness is another stepper's of the same model.
+  void advance_only(const std::vector<bool>& bodies, std::shared_ptr<SharedWitness> witness);
+  /// Where such a body may have come in the last call (Trajectories::range).
+  const Aabb& range(int body) const { return trajectories_.range(body); }
+  const std::shared_ptr<SharedWitness>& witness() const { return witness_; }
   /// With the forces of each body's last event: those at the beginning of the step that it is in, if it
   /// moves. Where steps are at velocity level, they are not known.
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
@@ -78,22 +85,26 @@ class EventDrivenStepper : public Stepper {
  private:
   // The loop of docs/architecture.md.
   void read_state_from_bodies(const State& state);
+  bool has_left(const State& state) const;
   bool compute_time_step();
   Cluster compute_new_body_states(const std::vector<int>& seeds);
   void apply_forces(Cluster& cluster);
   void write_state_to_bodies(State& state);
 
-  std::vector<int> seeds_of(const QueuedEvent& event) const;
-  bool is_stale(const QueuedEvent& event) const;
-  void drop_stale_events();
-  double least_effort_of(const Cluster& cluster) const;
-  void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
-  void begin_new_window(int body);
   /// What was counted before something began.
   struct WorkBefore {
     double effort;
     std::uint64_t steps, following;  ///< Operations.
   };
+  std::vector<int> seeds_of(const QueuedEvent& event) const;
+  bool is_stale(const QueuedEvent& event) const;
+  void drop_stale_events();
+  double least_effort_of(const Cluster& cluster) const;
+  void handle_event(const std::vector<int>& seeds);
+  void judge_afresh(const std::vector<int>& seeds, std::vector<int> changed);
+  bool resolve(const std::vector<int>& seeds, std::vector<int>& changed);
+  void set_out(const std::vector<int>& changed, const WorkBefore& before);
+  void begin_new_window(int body);
   WorkBefore work_so_far() const;
   void continue_search();
   void charge(double effort);
@@ -117,10 +128,14 @@ class EventDrivenStepper : public Stepper {
   void note_forces(const LastingContacts& lasting);
   BodyInertia inertia(int body) const { return {model_->body(body).mass, model_->body(body).moments}; }
   bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
+  /// Whether it is one of those that are advanced.
+  bool is_here(int body) const { return is_here_[at(body)]; }
 
   std::shared_ptr<const Model> model_;
   Method method_;
   double target_step_;
+  std::vector<bool> is_here_;  ///< Of each body.
+  bool is_one_of_several_ = false;
   Environment environment_;
   ContactSystemAssembler assembler_;
   IslandIntegrator integrator_;
@@ -135,7 +150,7 @@ class EventDrivenStepper : public Stepper {
   EventQueue queue_;
   std::size_t most_queued_ = 1024;  ///< Beyond it stale events are dropped.
   Trajectories trajectories_;
-  PassageWitness witness_;
+  std::shared_ptr<SharedWitness> witness_;
   std::map<int, RunningIsland> islands_;
   std::vector<int> island_of_;  ///< Of each body, or -1.
   int next_island_ = 0;

@@ -11,7 +11,11 @@
 namespace rigor {
 
 Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method)
-    : model_(model), options_(options), tracks_(at(model.body_count())), boxes_(make_broad_phase(method)) {
+    : model_(model),
+      options_(options),
+      tracks_(at(model.body_count())),
+      boxes_(make_broad_phase(method)),
+      is_followed_(at(model.body_count()), true) {
   for (int i = 0; i < model.body_count(); ++i) {
     double radius = 0;
     for (const BodyShape& shape : model.body(i).shapes) {
@@ -24,6 +28,37 @@ Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadP
 
 bool Trajectories::is_bounded(int body) const {
   return std::isfinite(model_.body(body).bounding_radius);
+}
+
+/// Whether its windows have boxes.
+bool Trajectories::has_box(int body) const {
+  return is_bounded(body) && !model_.body(body).shapes.empty();
+}
+
+void Trajectories::follow_only(const std::vector<bool>& is_followed) {
+  is_followed_ = is_followed;
+  for (int body = 0; body < model_.body_count(); ++body) {
+    if (!is_followed_[at(body)]) boxes_->remove(body);
+  }
+}
+
+void Trajectories::begin_ranges(double t, double t_end, bool has_windows) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  ranges_.assign(tracks_.size(), {Vec3::Constant(infinite), Vec3::Constant(-infinite)});
+  ranges_begin_ = t;
+  ranges_end_ = t_end;
+  for (int body = 0; body < model_.body_count() && has_windows; ++body) {
+    if (is_followed_[at(body)]) extend_range(body);
+  }
+}
+
+/// Where the body comes in its present window.
+void Trajectories::extend_range(int body) {
+  const Track& track = tracks_[at(body)];
+  const double begin = std::max(track.window_begin, ranges_begin_),
+               end = std::min(track.window_end, ranges_end_);
+  if (!has_box(body) || end < begin) return;
+  ranges_[at(body)] = ranges_[at(body)].united(box_of(body, begin, end).grown(margin(body, begin)));
 }
 
 void Trajectories::set_motion(int body, const Motion& motion, double t) {
@@ -88,11 +123,17 @@ Aabb Trajectories::box_of(int body, double ta, double tb) const {
   return {path.lower + (tight.lower - X_WB.p), path.upper + (tight.upper - X_WB.p)};
 }
 
+/// By how much a box is larger than where the body comes from t on [m].
+double Trajectories::margin(int body, double t) const {
+  const double rounding = 1e-12 * tracks_[at(body)].motion.position(t).cwiseAbs().maxCoeff();
+  return options_.contact_tolerance + rounding;
+}
+
 double Trajectories::window_end(int body, double t) const {
   const Motion& motion = tracks_[at(body)].motion;
 
   // Bodies without a box are watched as long as their motion lasts.
-  const bool is_tracked = is_bounded(body) && !model_.body(body).shapes.empty();
+  const bool is_tracked = has_box(body);
   // Not so short, however small and fast the body is, that a run would be of windows only.
   constexpr double least = 1e5;  // In units of the time tolerance.
   const double shortest = std::max(least * options_.time_tolerance, 8 * kEpsilon * std::abs(t));
@@ -104,11 +145,11 @@ void Trajectories::begin_window(int body, double t, EventQueue& queue) {
   ++track.version;
   track.window_begin = t;
   track.window_end = window_end(body, t);
-  if (is_bounded(body) && !model_.body(body).shapes.empty()) {
-    const double rounding = 1e-12 * track.motion.position(t).cwiseAbs().maxCoeff();
+  if (has_box(body)) {
     const double box_end = std::isinf(track.window_end) ? t : track.window_end;
-    track.box = box_of(body, t, box_end).grown(options_.contact_tolerance + rounding);
+    track.box = box_of(body, t, box_end).grown(margin(body, t));
     boxes_->set(body, track.box);
+    if (!ranges_.empty()) extend_range(body);
   }
   // The end of a step is its island's event; all other ends are the window's own.
   if (std::isfinite(track.window_end) && track.motion.is_ballistic()) {
@@ -199,7 +240,9 @@ std::vector<int> Trajectories::candidates(int body) const {
     boxes_->overlapping(tracks_[at(body)].box, near);
     near.insert(near.end(), unbounded_.begin(), unbounded_.end());
   } else {
-    for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
+    for (int other = 0; other < model_.body_count(); ++other) {
+      if (is_followed_[at(other)]) near.push_back(other);
+    }
   }
   return near;
 }
@@ -218,7 +261,9 @@ std::vector<int> Trajectories::neighbours(int body, double t, double tolerance) 
     near.insert(near.end(), unbounded_.begin(), unbounded_.end());
     std::sort(near.begin(), near.end());
   } else {
-    for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
+    for (int other = 0; other < model_.body_count(); ++other) {
+      if (is_followed_[at(other)]) near.push_back(other);
+    }
   }
   std::erase_if(near, [&](int other) { return other == body || !model_.may_collide(body, other); });
   return near;

@@ -25,6 +25,15 @@ class Trajectories {
  public:
   Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method);
 
+  /// Only bodies for which this holds meet each other from now on; the others have motions, but no windows.
+  void follow_only(const std::vector<bool>& is_followed);
+  /// From now on it is known where each body that is followed comes between t and t_end [s], in the windows
+  /// that it has or in those that begin.
+  void begin_ranges(double t, double t_end, bool has_windows);
+  /// Where the body may have come, with the contact tolerance around it: two bodies whose ranges are apart
+  /// have had nothing to do with each other. Of bounded bodies.
+  const Aabb& range(int body) const { return ranges_[at(body)]; }
+
   const Motion& motion(int body) const { return tracks_[at(body)].motion; }
   /// Bodies whose motion changed at t: their old predictions are void; call predict() when all are set.
   void set_motion(int body, const Motion& motion, double t);
@@ -71,6 +80,9 @@ class Trajectories {
   double window_length(int body, double t) const;
   Aabb box_of(int body, double ta, double tb) const;
   void begin_window(int body, double t, EventQueue& queue);
+  bool has_box(int body) const;
+  double margin(int body, double t) const;
+  void extend_range(int body);
   void predict_pairs(const std::vector<int>& bodies, EventQueue& queue);
   std::vector<int> candidates(int body) const;
   double window_end(int body, double t) const;
@@ -83,6 +95,9 @@ class Trajectories {
   std::vector<double> turning_radii_;  ///< Of each body's shapes about its centre of mass [m].
   std::vector<int> unbounded_;         ///< Bodies with a plane.
   std::unique_ptr<BroadPhase> boxes_;  ///< Windows of the others.
+  std::vector<bool> is_followed_;
+  std::vector<Aabb> ranges_;  ///< Of each body, in this span [s]; empty if nobody asks for them.
+  double ranges_begin_ = 0, ranges_end_ = 0;
   std::set<std::pair<int, int>> lasting_;
   std::vector<BodyPath> paths_;
   std::size_t piece_count_ = 0;
