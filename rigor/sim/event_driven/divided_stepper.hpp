@@ -1,10 +1,10 @@
 #pragma once
 
-#include "rigor/bulk/threads/executor.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
-#include "rigor/sim/event_driven/groups_apart.hpp"
+#include "rigor/sim/islands/advance_apart.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,24 +34,11 @@ class DividedStepper : public Stepper {
   double time_reached() const override { return t_; }
 
  private:
-  /// A group at work, with the State as it sees it: the bodies of others stay where they were.
-  struct Share {
-    BodyGroup bodies;
-    std::unique_ptr<EventDrivenStepper> stepper;
-    State state;
-    AdvanceReport report;
-    double work = 0;  ///< Operations (count_work, count_following) of the span.
-  };
   EventDrivenStepper& whole();
-  AdvanceReport advance_whole(State& state, double t_end);
-  std::vector<BodyGroup> divide(const State& state, double t_end) const;
-  Share share_of(const BodyGroup& bodies, const State& state);
-  void retire(std::vector<Share> shares);
-  void advance_shares(std::vector<Share>& shares, std::size_t first, double t_end);
-  static void advance_share(Share& share, double t_end, const std::function<bool()>& interrupt);
-  std::vector<BodyGroup> joined(const std::vector<Share>& shares) const;
-  AdvanceReport put_together(const std::vector<Share>& shares, State& state) const;
-  bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
+  std::vector<BodyGroup> groups_of(const State& state, double t_end) const;
+  void begin_group(const BodyGroup& bodies);
+  void advance_group(ApartGroup& group, double t_end) const;
+  void keep_steppers(const std::vector<ApartGroup>& groups);
 
   std::shared_ptr<const Model> model_;
   Environment environment_;
@@ -60,8 +47,7 @@ class DividedStepper : public Stepper {
   Make make_;
   Executor executor_;
   std::unique_ptr<EventDrivenStepper> whole_;  ///< Advances all bodies; made when it is needed.
-  std::vector<Share> idle_;  ///< Of earlier spans: those whose bodies form a group again go on with what they
-                             ///< keep.
+  std::map<BodyGroup, std::unique_ptr<EventDrivenStepper>> steppers_;  ///< Of groups.
   std::vector<double> work_;  ///< Of each body: its part of the operations of the last span.
   std::size_t group_count_ = 1;
   double t_ = 0;

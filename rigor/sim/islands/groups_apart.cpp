@@ -1,8 +1,9 @@
-#include "rigor/sim/event_driven/groups_apart.hpp"
+#include "rigor/sim/islands/groups_apart.hpp"
 
 #include "rigor/bulk/graph/disjoint_sets.hpp"
 #include "rigor/core/index.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -10,6 +11,11 @@
 namespace rigor {
 
 namespace {
+
+/// More groups than these are dealt out to as many: each costs something.
+constexpr std::size_t most_groups = 32;
+/// So many bodies close together are a crowd, though they do not touch yet; gases have pairs.
+constexpr std::size_t crowd = 4;
 
 bool is_dynamic(const Model& model, int body) {
   return model.body(body).motion == MotionType::dynamic;
@@ -29,6 +35,22 @@ std::vector<BodyGroup> groups_of(const Model& model, std::vector<int> sets) {
     groups[at(group)].push_back(body);
   }
   return groups;
+}
+
+/// The groups as at most so many, the largest first to those that have fewest bodies yet.
+std::vector<BodyGroup> dealt_out(std::vector<BodyGroup> groups, std::size_t most) {
+  if (groups.size() <= most) return groups;
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const BodyGroup& a, const BodyGroup& b) { return a.size() > b.size(); });
+  std::vector<BodyGroup> hands(most);
+  for (const BodyGroup& group : groups) {
+    BodyGroup& smallest =
+        *std::min_element(hands.begin(), hands.end(),
+                          [](const BodyGroup& a, const BodyGroup& b) { return a.size() < b.size(); });
+    smallest.insert(smallest.end(), group.begin(), group.end());
+  }
+  for (BodyGroup& hand : hands) std::sort(hand.begin(), hand.end());
+  return hands;
 }
 
 }  // namespace
@@ -82,6 +104,27 @@ std::vector<BodyGroup> groups_apart(const Model& model, const Environment& envir
     if (is_dynamic(model, i)) join_sets(sets, first, i);
   }
   return joined_where_they_meet(model, groups_of(model, std::move(sets)), ranges);
+}
+
+std::vector<BodyGroup> groups_worth_a_thread(const Environment& environment, std::vector<BodyGroup> groups,
+                                             const std::vector<bool>& is_held) {
+  std::vector<BodyGroup> worth;
+  BodyGroup others;
+  for (BodyGroup& group : groups) {
+    const bool is_worth = group.size() >= crowd || std::any_of(group.begin(), group.end(), [&](int body) {
+                            return is_held[at(body)] || environment.is_forced(body);
+                          });
+    if (is_worth) {
+      worth.push_back(std::move(group));
+    } else {
+      others.insert(others.end(), group.begin(), group.end());
+    }
+  }
+  if (worth.size() < 2) return {};
+  worth = dealt_out(std::move(worth), most_groups);
+  std::sort(others.begin(), others.end());
+  if (!others.empty()) worth.push_back(std::move(others));
+  return worth;
 }
 
 }  // namespace rigor

@@ -26,4 +26,10 @@ std::vector<BodyGroup> joined_where_they_meet(const Model& model, std::vector<Bo
 std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment, const State& state,
                                     double t_end, double tolerance);
 
+/// Those of these groups that are worth a thread: crowds, and bodies that something acts on (is_held, of each
+/// body: something touches it) besides gravity. All others, which fly, are one more. No groups if less than
+/// two are worth it, and never more than a few dozen.
+std::vector<BodyGroup> groups_worth_a_thread(const Environment& environment, std::vector<BodyGroup> groups,
+                                             const std::vector<bool>& is_held);
+
 }  // namespace rigor
