@@ -37,6 +37,7 @@ std::optional<std::vector<TouchingPoint>> DividedStepper::contacts_of(const Stat
 AdvanceReport DividedStepper::advance_span(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   t_ = state.t;
+  if (t_end == state.t) return {};
   const ApartWork work{[this](const BodyGroup& bodies) { begin_group(bodies); },
                        [this, t_end](ApartGroup& group, int) { advance_group(group, t_end); }};
   std::vector<ApartGroup> groups =
@@ -57,8 +58,11 @@ std::vector<BodyGroup> DividedStepper::groups_of(const State& state, double t_en
   std::vector<bool> is_held(at(model_->body_count()));
   for (const ContactMemory& contact : state.events.contacts)
     is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
-  return groups_worth_a_thread(
-      environment_, groups_apart(*model_, environment_, state, t_end, contact_tolerance_), is_held);
+  if (!has_lasting_contacts_) {
+    for (const Contact& contact : touching_contacts(*model_, state, contact_tolerance_))
+      is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
+  }
+  return groups_worth_a_thread(*model_, environment_, state, t_end, contact_tolerance_, is_held);
 }
 
 /// A stepper for the group: that of the last span, if it was a group then, which goes on with what it keeps.

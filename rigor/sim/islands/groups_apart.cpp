@@ -14,8 +14,6 @@ namespace {
 
 /// More groups than these are dealt out to as many: each costs something.
 constexpr std::size_t most_groups = 32;
-/// So many bodies close together are a crowd, though they do not touch yet; gases have pairs.
-constexpr std::size_t crowd = 4;
 
 bool is_dynamic(const Model& model, int body) {
   return model.body(body).motion == MotionType::dynamic;
@@ -106,15 +104,23 @@ std::vector<BodyGroup> groups_apart(const Model& model, const Environment& envir
   return joined_where_they_meet(model, groups_of(model, std::move(sets)), ranges);
 }
 
-std::vector<BodyGroup> groups_worth_a_thread(const Environment& environment, std::vector<BodyGroup> groups,
+std::vector<BodyGroup> groups_worth_a_thread(const Model& model, const Environment& environment,
+                                             const State& state, double t_end, double tolerance,
                                              const std::vector<bool>& is_held) {
+  // What only flies or lies still, as in a gas, is not worth asking who comes near whom.
+  std::vector<bool> is_busy(at(model.body_count()));
+  int busy = 0;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const bool moves = !state.linear_momentum(i).isZero(0) || !state.angular_momentum(i).isZero(0);
+    is_busy[at(i)] = is_dynamic(model, i) && (environment.is_forced(i) || (is_held[at(i)] && moves));
+    busy += is_busy[at(i)] ? 1 : 0;
+  }
+  if (busy < 2) return {};
+
   std::vector<BodyGroup> worth;
   BodyGroup others;
-  for (BodyGroup& group : groups) {
-    const bool is_worth = group.size() >= crowd || std::any_of(group.begin(), group.end(), [&](int body) {
-                            return is_held[at(body)] || environment.is_forced(body);
-                          });
-    if (is_worth) {
+  for (BodyGroup& group : groups_apart(model, environment, state, t_end, tolerance)) {
+    if (std::any_of(group.begin(), group.end(), [&](int body) { return is_busy[at(body)]; })) {
       worth.push_back(std::move(group));
     } else {
       others.insert(others.end(), group.begin(), group.end());

@@ -21,8 +21,7 @@ std::vector<BodyGroup> TimeStepper::groups_of(const State& state, double t_end) 
   std::vector<bool> is_held(at(model_->body_count()));
   for (const ContactForce& force : last_forces_.all())
     is_held[at(force.key.body_A)] = is_held[at(force.key.body_B)] = true;
-  return groups_worth_a_thread(
-      environment_, groups_apart(*model_, environment_, state, t_end, method_.contact_tolerance), is_held);
+  return groups_worth_a_thread(*model_, environment_, state, t_end, method_.contact_tolerance, is_held);
 }
 
 /// Moves all bodies to t_end, or stops because that takes too much work; false if there is only one group, or

@@ -83,9 +83,8 @@ class Divided : public testing::TestWithParam<Scheme> {};
 TEST_P(Divided, HasTheBitsOfOneQueueForAllOnAnyNumberOfThreads) {
   Method method;
   method.scheme = GetParam();
-  // Bodies that never lie still count as crowds only.
   const bool is_impulse_based = method.scheme == Scheme::impulse_based;
-  const int intervals = is_impulse_based ? 10 : 18;
+  const int intervals = is_impulse_based ? 14 : 18;
   std::size_t most_groups = 0;
   for (const unsigned seed : {1u, 2u}) {
     const std::shared_ptr<const Model> model = field(seed, 3, is_impulse_based ? 4 : 3);
