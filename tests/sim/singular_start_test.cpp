@@ -75,5 +75,34 @@ TEST(SingularStart, WithoutGravityVelocitiesTell) {
   EXPECT_TRUE(singular_joint(*still, pushed).has_value());
 }
 
+TEST(SingularStart, JointsWhoseOnlyEquationIsThatOfTheirMotorHaveNoneWithoutIt) {
+  // A distance joint with room between its limits leaves its length free; a motor without a bound sets the
+  // rate.
+  for (const bool is_at_limit : {false, true}) {
+    ModelBuilder builder;
+    builder.add_material({"m", 1000, 0.5, 0});
+    for (const int i : {0, 1}) {
+      BodyDescription ball;
+      ball.name = "ball" + std::to_string(i);
+      ball.p_WU = Vec3(0.3 * i, 0, 3);
+      ball.shapes.push_back({Sphere{0.05}, Vec3::Zero(), Quat::Identity(), "m", ""});
+      builder.add_body(ball);
+    }
+    for (const int i : {0, 1}) {
+      ModelBuilder::JointDescription joint;
+      joint.type = JointType::distance;
+      joint.name = "joint" + std::to_string(i);
+      joint.bodies = {i == 0 ? "world" : "ball0", "ball" + std::to_string(i)};
+      joint.anchors = {Vec3(0.3 * i - 0.3, 0, 3), Vec3(0.3 * i, 0, 3)};
+      joint.axes.resize(1);
+      joint.axes[0].lower = is_at_limit ? 0.3 : 0.2;
+      joint.axes[0].upper = 0.5;
+      joint.axes[0].motor = JointMotor{.velocity = 3};
+      builder.add_joint(joint);
+    }
+    EXPECT_FALSE(is_singular(builder.build())) << is_at_limit;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::singular_start_test

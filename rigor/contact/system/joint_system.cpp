@@ -213,11 +213,15 @@ void JointSystem::make_rows(const Model& model, int index, Item& item) const {
     const int row = item.rows.size++;
     for (Mat6& J : item.rows.J) J.row(row).setZero();
     item.rows.g[row] = item.rows.bias[row] = item.rate[row] = 0;
+    // The row ties its bodies also without the motor: a distance joint may have no other.
+    const auto place = [&](int body, const Vec6& J) {
+      if (body == world_body) return;
+      const std::size_t side = side_of(item.rows, body);
+      if (!without_motors_) item.rows.J[side].row(row) = J.transpose();
+    };
+    place(joint.body_A, coordinate.J_A);
+    place(joint.body_B, coordinate.J_B);
     if (without_motors_) continue;
-    if (joint.body_A != world_body)
-      item.rows.J[side_of(item.rows, joint.body_A)].row(row) = coordinate.J_A.transpose();
-    if (joint.body_B != world_body)
-      item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
     item.rows.bias[row] = coordinate.bias;
     item.rate[row] = motor_rate(axis, coordinate.value, model.length_scale(), motor_horizon_);
   }
