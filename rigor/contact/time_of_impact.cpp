@@ -81,6 +81,11 @@ class ShapePairSearch {
   TimeOfImpact passed_contact(double before, double distance_before, double t, double distance_now);
   double advance(double t, const Approach& now, double t1);
   double convex_step(double t, const Approach& now, double t1, double level);
+  /// Approaches slower than this at a gap [m] are none yet [m/s].
+  double rest_velocity(double gap) const {
+    const bool is_deep = gap <= -0.5 * options_.contact_tolerance;
+    return is_deep ? std::min(options_.rest_velocity, options_.deep_velocity) : options_.rest_velocity;
+  }
   double finest(double t) const { return std::max(options_.time_tolerance, 4 * epsilon * std::abs(t)); }
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
@@ -134,7 +139,7 @@ void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, Appro
     now.normals_W.push_back(contact.n_W);
     const Vec3 p_W = 0.5 * (contact.p_WA + contact.p_WB);
     const double rate = contact.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W));
-    if (rate >= -options_.rest_velocity) continue;
+    if (rate >= -rest_velocity(contact.gap)) continue;
     const double time = std::max(0.0, contact.gap) / -rate;
     if (time >= soonest) continue;
     soonest = time;
@@ -209,7 +214,10 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
   const Vec3 da = B_.motion->acceleration() - A_.motion->acceleration();
   const double touching = touch(t0);
 
-  std::optional<double> tau;
+  // Those who come more slowly than that go on, where it is bounded to half the tolerance.
+  const bool is_bounded = options_.deep_velocity < options_.rest_velocity;
+  const double deep = 0.5 * options_.contact_tolerance;
+  std::optional<double> tau, deep_tau;
   if (a != nullptr && plane != nullptr) {
     // gap = n·(x_A - x_plane) - offset - r along the plane's normal.
     const Pose X_WS = B_.pose(t0);
@@ -217,6 +225,7 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
     double gap = n.dot(A_.motion->position(t0) - X_WS.p) - plane->offset - a->radius - options_.contact_gap;
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap, -n.dot(dv), -0.5 * n.dot(da), t1 - t0, options_.rest_velocity);
+    deep_tau = first_fall_to_zero(gap + deep, -n.dot(dv), -0.5 * n.dot(da), t1 - t0, options_.deep_velocity);
   } else if (a != nullptr && b != nullptr && da.isZero(0)) {
     // |dx + dv τ|² = r²,  with |dx|² - r² = gap (|dx| + r).
     const double r = a->radius + b->radius + options_.contact_gap;
@@ -224,9 +233,13 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap * (dx.norm() + r), 2 * dx.dot(dv), dv.squaredNorm(), t1 - t0,
                              2 * r * options_.rest_velocity);
+    const double near = r - deep;
+    deep_tau = first_fall_to_zero((dx.norm() - near) * (dx.norm() + near), 2 * dx.dot(dv), dv.squaredNorm(),
+                                  t1 - t0, 2 * near * options_.deep_velocity);
   } else {
     return std::nullopt;
   }
+  if (is_bounded && (!tau || (deep_tau && *deep_tau < *tau))) tau = deep_tau;
   if (!tau) return TimeOfImpact{false, t1, 0, 1};
   return TimeOfImpact{true, t0 + *tau, 4 * epsilon * std::max(std::abs(t0), *tau), 1};
 }
@@ -235,7 +248,7 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
 /// tolerance.
 double ShapePairSearch::advance(double t, const Approach& now, double t1) {
   const double slack = 0.5 * options_.contact_tolerance;
-  const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
+  const bool is_departing = now.gap <= slack && now.rate >= -rest_velocity(now.gap);
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
   if (B_.is_cavity()) return safe_step_in_cavity(B_.part(), A_.part(), t, t1, level + envelope());
   if (!has_mesh()) return convex_step(t, now, t1, level);
@@ -324,7 +337,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
     poll_interrupt();
     const Approach now = approach(t);
     // Touching and approaching: a contact, here or, after a step that passed it, since the last time.
-    const bool is_approaching = now.rate < -options_.rest_velocity;
+    const bool is_approaching = now.rate < -rest_velocity(now.gap);
     if (now.gap <= touch(t) && is_approaching) {
       if (now.gap >= -touch(t) || t == t0) return {true, t, finest(t), evaluations_};
       return passed_contact(before, distance_before, t, now.distance);

@@ -2,6 +2,8 @@
 
 #include "rigor/dynamics/motion.hpp"
 
+#include <limits>
+
 namespace rigor {
 
 /// How the instant of contact is refined once it is bracketed.
@@ -24,6 +26,8 @@ struct ToiOptions {
   double contact_tolerance = 1e-6;  ///< Overlap that is never exceeded [m].
   double time_tolerance = 1e-12;    ///< Width of the bracket [s].
   double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].
+  /// The same where half the tolerance is used up, if it is less [m/s].
+  double deep_velocity = std::numeric_limits<double>::infinity();
   /// Gap at which bodies count as touching [m]: that of a collision envelope. Meshes touch at 0.
   double contact_gap = 0;
   int most_evaluations = 10000;  ///< Distance queries of two shapes after which the search leaves off.

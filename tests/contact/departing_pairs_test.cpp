@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rigor::departing_pairs_test {
@@ -72,6 +74,31 @@ TEST(DepartingPairs, WhatLeavesWithASmallOverlapIsBackAtTheSameOverlap) {
         find_time_of_impact(ground.body, ground.motion, ball.body, ball.motion, 0, 1, ToiOptions{});
     ASSERT_TRUE(found.is_contact);
     EXPECT_NEAR(found.time, 2 * speed / kGravity, 2e-11);
+  }
+}
+
+TEST(DepartingPairs, WhoCreepsTogetherMeetsWhereHalfOfTheOverlapIsUsedUp) {
+  // As bodies of a stack do that fall together between two micro-collisions: no acceleration makes them
+  // faster.
+  const Shape ball = Sphere{0.1}, block = Box{Vec3(0.1, 0.2, 0.1)};
+  for (const auto& [lower, upper] : {std::pair(ball, ball), std::pair(block, block), std::pair(block, ball),
+                                     std::pair(Shape(HalfSpace{Vec3::UnitZ(), 0}), ball)}) {
+    for (const double speed : {1e-5, 1e-7, 1e-9}) {
+      const double height = std::holds_alternative<HalfSpace>(lower) ? 0.1 : 0.2, span = 2e-6 / speed;
+      const Thrown ground = at_rest(lower, 0);
+      const Thrown body(upper, {Vec3(0, 0, height), Quat::Identity(), Vec3(0, 0, -speed), Vec3::Zero()}, 0);
+      ToiOptions options;
+      options.rest_velocity = 1e-4;
+      const auto find = [&] {
+        return find_time_of_impact(ground.body, ground.motion, body.body, body.motion, 0, span, options);
+      };
+      EXPECT_FALSE(find().is_contact) << speed;
+      options.deep_velocity = 1e-12;
+      const TimeOfImpact found = find();
+      ASSERT_TRUE(found.is_contact) << speed;
+      EXPECT_LE(speed * found.time, options.contact_tolerance) << speed;
+      EXPECT_GE(speed * found.time, 0.25 * options.contact_tolerance) << speed;
+    }
   }
 }
 

@@ -12,11 +12,13 @@ namespace {
 ToiOptions envelope_search(const Model& model, const Method& method) {
   ToiOptions options = toi_choice(method);
   const double half = 0.5 * method.contact_tolerance;
-  // Slower approaches continue until gravity has made them faster, so that no two collisions crowd.
+  // Slower approaches continue until gravity has made them faster, so that no two collisions crowd. What
+  // falls together is not made faster: it ends where half of what is left of the envelope is used up.
   constexpr double share = 0.05;
   const double fall = std::sqrt(model.g_W().norm() * method.contact_tolerance);
   options.contact_gap = -half;
   options.contact_tolerance = half;
+  options.deep_velocity = options.rest_velocity;
   options.rest_velocity = std::max(options.rest_velocity, share * fall);
   // Most searches are void before they end: another collision comes first.
   options.most_evaluations = 40;
