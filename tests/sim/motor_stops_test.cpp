@@ -76,5 +76,28 @@ TEST(MotorStops, AnUnlimitedMotorRunsToItsLimitAndStandsThere) {
   }
 }
 
+TEST(MotorStops, WhatComesAndGoesBetweenTwoOutputsMovedAllTheSame) {
+  // The arm is at its limit a microsecond after its start: the outputs see a body that never moved, but its
+  // momenta are known to the rounding of what it had.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 20; ++k) {
+    JointAxis axis;
+    axis.lower = -0.05 * (1 + unit(random));
+    axis.upper = 0.05 * (1 + unit(random));
+    axis.motor = JointMotor{(k % 2 == 0 ? 1 : -1) * std::pow(10, 3 + 4 * unit(random))};
+    const auto model =
+        driven(k < 10 ? JointType::hinge : JointType::slider, axis, std::pow(10, 4 * unit(random) - 2));
+    RunSettings settings;
+    settings.duration = 0.1;
+    settings.step = 0.005;
+    settings.output_interval = 0.02;
+    const RunResult result =
+        run_simulation(model, Method{}, settings, std::nullopt,
+                       [](const State&, const AdvanceReport&, const Auditor&) { return true; });
+    EXPECT_TRUE(result.audit.violations.empty()) << k << ": " << result.audit.violations.front();
+  }
+}
+
 }  // namespace
 }  // namespace rigor::motor_stops_test

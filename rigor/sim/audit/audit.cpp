@@ -163,6 +163,9 @@ void Auditor::observe_scales(const State& state, const AdvanceReport& report) {
     momentum = std::max(momentum, event.j_W.norm());
     angular_momentum = std::max(angular_momentum, event.p_W.norm() * event.j_W.norm());
   }
+  energy_scale_ = std::max(energy_scale_, report.moved_energy);
+  momentum = std::max(momentum, report.moved_momentum);
+  angular_momentum = std::max(angular_momentum, report.moved_angular_momentum);
   // The linear momentum of wheels that only rotate is the rounding of the momenta of their parts.
   constexpr double rounding_share = 1e-6;
   momentum_scale_ = std::max({momentum_scale_, momentum, rounding_share * of_rotation});

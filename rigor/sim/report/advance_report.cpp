@@ -106,6 +106,9 @@ void AdvanceReport::add(const AdvanceReport& later) {
   projection_loss += later.projection_loss;
   momentum_error += later.momentum_error;
   angular_momentum_error += later.angular_momentum_error;
+  moved_momentum = std::max(moved_momentum, later.moved_momentum);
+  moved_angular_momentum = std::max(moved_angular_momentum, later.moved_angular_momentum);
+  moved_energy = std::max(moved_energy, later.moved_energy);
   rounded_momentum += later.rounded_momentum;
   max_residual = std::max(max_residual, later.max_residual);
   max_iterations = std::max(max_iterations, later.max_iterations);

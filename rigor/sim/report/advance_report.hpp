@@ -122,6 +122,13 @@ struct AdvanceReport {
   Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
 
+  /// The most that bodies moved with at an event or step whose momenta were balanced, also between two
+  /// outputs: Σ |P| [kg m/s] and Σ |L| + |x| |P| about the origin of W [kg m²/s]. Their errors are roundings
+  /// of these.
+  double moved_momentum = 0;
+  double moved_angular_momentum = 0;
+  double moved_energy = 0;  ///< The same of the kinetic energy [J].
+
   /// Momenta and impulses that steps in 32 bits have rounded, summed over their sweeps [kg m/s].
   double rounded_momentum = 0;
 

@@ -2,6 +2,7 @@
 
 #include "rigor/model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -14,6 +15,8 @@ BodyTotals totals_of(const Model& model, const std::vector<int>& bodies,
     const BodyPhase& phase = phases[i];
     sum.P += phase.P;
     sum.L += phase.L + phase.x.cross(phase.P);
+    sum.P_norms += phase.P.norm();
+    sum.L_norms += phase.L.norm() + phase.x.norm() * phase.P.norm();
     sum.T += kinetic_energy(BodyInertia{body.mass, body.moments}, phase);
   }
   return sum;
@@ -58,6 +61,9 @@ void MomentumScope::book_error(std::initializer_list<Wrench> external, AdvanceRe
   }
   report.momentum_error += P;
   report.angular_momentum_error += L;
+  report.moved_energy = std::max({report.moved_energy, before_.T, after.T});
+  report.moved_momentum = std::max({report.moved_momentum, before_.P_norms, after.P_norms});
+  report.moved_angular_momentum = std::max({report.moved_angular_momentum, before_.L_norms, after.L_norms});
 }
 
 void MomentumScope::add_change(Vec3& impulse, Vec3& angular_impulse) const {

@@ -15,6 +15,8 @@ struct BodyTotals {
   Vec3 P = Vec3::Zero();  ///< Momentum [kg m/s].
   Vec3 L = Vec3::Zero();  ///< Angular momentum about the origin of W [kg m²/s].
   double T = 0;           ///< Kinetic energy [J].
+  double P_norms = 0;     ///< Σ |P| [kg m/s].
+  double L_norms = 0;     ///< Σ |L| + |x| |P|: of moments about the origin of W [kg m²/s].
 };
 /// Totals of bodies (model indices) in these phases, one per body.
 BodyTotals totals_of(const Model& model, const std::vector<int>& bodies,
