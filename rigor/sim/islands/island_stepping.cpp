@@ -174,7 +174,11 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   running.change = mode_changes_.find(island, running.step);
   if (running.change) {
     running.step = integrator_.repeated(island, std::max(running.change->h, least), running.step);
-    if (running.step.error > hopeless_error_ && !island.contacts.empty()) {
+    // A strong motor stops the slip sooner than any step ends: what it did beyond that it would be booked
+    // with.
+    const bool is_beyond = running.change->kind == ModeChange::Kind::slip_ends &&
+                           mode_changes_.reversed_slip(island, running.step) > direction_tolerance_;
+    if ((running.step.error > hopeless_error_ || is_beyond) && !island.contacts.empty()) {
       running.change.reset();
       go_to_velocity_level(island.bodies);
       return take_implicit_step(h, resolved, running, report);

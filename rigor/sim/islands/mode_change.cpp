@@ -129,6 +129,12 @@ std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, 
                     std::max({0.0, root.f_lo, -root.f_hi}) + uncertainty};
 }
 
+double ModeChangeSearch::reversed_slip(const Island& island, const IslandStep& step) const {
+  double fastest = 0;
+  for (const double speed : slip_speeds(island, step, 1)) fastest = std::max(fastest, -speed);
+  return fastest;
+}
+
 /// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a
 /// little below zero is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {

@@ -204,5 +204,49 @@ TEST(MotorBooks, EffortsFollowNewtonAndEuler) {
               1e-10);
 }
 
+// A motor that reaches its speed sooner than time resolves: what it did beyond that was booked too, up to
+// 1e12 times the energy of what it turns.
+TEST(MotorBooks, AMotorOfAnyStrengthDoesTheWorkThatItsBodyHasGained) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 24; ++k) {
+    const double mass = std::pow(10, -4 + 5 * unit(random)), arm = 0.05 + 0.4 * unit(random);
+    const double inertia = 1.01 * mass * arm * arm, speed = (k % 2 == 0 ? 1 : -1) * (2 + 20 * unit(random));
+    ModelBuilder builder;
+    builder.set_gravity(Vec3(0, 0, -9.81));
+    BodyDescription body;
+    body.name = "body";
+    body.p_WU = Vec3(arm, 0, 0);
+    body.inertia = GivenInertia{mass, Vec3::Zero(), Vec3::Constant(0.01 * mass * arm * arm), Vec3::Zero()};
+    builder.add_body(body);
+    JointDescription joint;
+    joint.name = "drive";
+    joint.type = JointType::hinge;
+    joint.bodies = {"world", "body"};
+    joint.anchors = {Vec3::Zero()};
+    joint.axis = Vec3::UnitY();
+    joint.axes.resize(1);
+    joint.axes[0].motor = JointMotor{speed, inertia * std::pow(10, 3 + 17 * unit(random))};
+    builder.add_joint(joint);
+    const auto model = builder.build();
+    for (const Scheme scheme : {Scheme::event_driven, Scheme::hybrid, Scheme::time_stepping}) {
+      Method method;
+      method.scheme = scheme;
+      const RunResult result = run(model, method, 0.2);
+      const Audit& audit = result.audit;
+      // Steps of first order know it to a few hundredths of what moves.
+      const double moved = 0.5 * inertia * speed * speed + 2 * mass * 9.81 * arm;
+      EXPECT_NEAR(audit.dissipated, 0, 0.03 * moved) << k << method_choice(method, "scheme");
+      EXPECT_NEAR(audit.report.motor_work, audit.final.total() - audit.initial.total(), 0.03 * moved) << k;
+      EXPECT_TRUE(audit.violations.empty()) << k << ": " << audit.violations.front();
+      // At its speed it carries the weight, and nothing else; fixed steps know the rate to a thousandth.
+      const double moment = mass * 9.81 * result.state.position(0).x();
+      EXPECT_NEAR(joint_snapshot(*model, method, result.state).front().efforts.at(0), -moment,
+                  1e-9 * mass * 9.81 * arm)
+          << k << method_choice(method, "scheme");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rigor::motor_books_test
