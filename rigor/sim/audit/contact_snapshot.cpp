@@ -144,10 +144,10 @@ std::vector<double> efforts_of(const Joint& joint, const std::vector<double>& of
 
 /// Takes motors of limited force that have reached their speed as those that hold it, so that their effort is
 /// what that takes. Steps leave the rates of coordinates off by a part of how fast the bodies turn and the
-/// motor drives; a motor that still sped up, with all its force, would be there at once.
+/// motor drives; a motor that still sped up, with all its force, would be there within that step.
 void hold_reached_speeds(const Model& model, const Method& method, ContactSystem& system) {
   const bool has_fixed_steps = method.scheme == Scheme::time_stepping || method.scheme == Scheme::automatic;
-  const double share = has_fixed_steps ? 1e-3 : 1e-5;
+  const double share = has_fixed_steps ? 1e-2 : 1e-5;
   const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     if (!system.contacts[i].is_motor()) continue;
@@ -155,9 +155,10 @@ void hold_reached_speeds(const Model& model, const Method& method, ContactSystem
     const Joint& joint = model.joint(stop.joint);
     const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics),
                      B = motion_of(joint.body_B, system.bodies, system.kinetics);
-    const double arm =
-        is_angle(joint.type, stop.axis) ? 1 : std::abs(joint_coordinate(joint, stop.axis, A, B).value);
-    const double speed = std::abs(system.rows[i].rate.x()) + arm * (A.w.norm() + B.w.norm());
+    const Vec3 from_B = B.R * joint.X_BK.p, from_A = B.x + from_B - A.x;
+    const bool turns = is_angle(joint.type, stop.axis);
+    const double speed = std::abs(system.rows[i].rate.x()) + (turns ? 1 : from_A.norm()) * A.w.norm() +
+                         (turns ? 1 : from_B.norm()) * B.w.norm();
     const double missing = u[3 * static_cast<Eigen::Index>(i)];
     if (std::abs(missing) <= direction_tolerance(method) + share * speed) system.rows[i].rate.x() += missing;
   }

@@ -239,7 +239,7 @@ TEST(MotorBooks, AMotorOfAnyStrengthDoesTheWorkThatItsBodyHasGained) {
       EXPECT_NEAR(audit.dissipated, 0, 0.03 * moved) << k << method_choice(method, "scheme");
       EXPECT_NEAR(audit.report.motor_work, audit.final.total() - audit.initial.total(), 0.03 * moved) << k;
       EXPECT_TRUE(audit.violations.empty()) << k << ": " << audit.violations.front();
-      // At its speed it carries the weight, and nothing else; fixed steps know the rate to a thousandth.
+      // At its speed it carries the weight, and nothing else; fixed steps know the rate to a hundredth.
       const double moment = mass * 9.81 * result.state.position(0).x();
       EXPECT_NEAR(joint_snapshot(*model, method, result.state).front().efforts.at(0), -moment,
                   1e-9 * mass * 9.81 * arm)
