@@ -5,7 +5,9 @@ usage: benchmarks/live_load.py RIGOR [SCENE] [SECONDS]
 
 Starts `rigor view` as fast as it goes, with one honest page open, and reads for each load how much processor time the
 simulation's thread and the server's took. The simulation is slowed by what the server takes from it: on one processor
-that is at most server / (server + simulation). Also told: simulated seconds a second of the simulation's processor time.
+that is at most server / (server + simulation). Also told: simulated seconds a second of the simulation's processor time,
+and how long another honest page waits for its answer at most.
+exit code: 0 if a page behind a thousand idle connections waits no longer than a second, else 1
 """
 import json
 import os
@@ -72,6 +74,33 @@ def connections(port, over):
             time.sleep(0.001)
 
 
+def idle_connections(port, over):
+    """A thousand, half of which have begun a request that never ends."""
+    clients = []
+    try:
+        for k in range(1000):
+            clients.append(socket.create_connection(("127.0.0.1", port), timeout=1))
+            if k % 2 == 0:
+                clients[-1].send(b"G")
+    except OSError:
+        pass
+    over.wait()
+
+
+def longest_wait(port, token, rounds=5):
+    """Seconds after which the page has come, in the worst of some rounds."""
+    request = f"GET /?token={token} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode()
+    longest = 0
+    for _ in range(rounds):
+        begin = time.monotonic()
+        with socket.create_connection(("127.0.0.1", port), timeout=60) as client:
+            client.sendall(request)
+            if not client.recv(1000).startswith(b"HTTP/1.1 200"):
+                return float("inf")
+        longest = max(longest, time.monotonic() - begin)
+    return longest
+
+
 def slow_clients(port, over):
     clients = []
     while not over.is_set():
@@ -107,7 +136,8 @@ def foreign_requests(port, over):
             time.sleep(0.001)
 
 
-LOADS = {"an honest page alone": [], "connections without end": 4 * [connections], "100 slow clients": [slow_clients],
+LOADS = {"an honest page alone": [], "connections without end": 4 * [connections],
+         "1,000 idle connections": [idle_connections], "100 slow clients": [slow_clients],
          "requests of 100 kB": 4 * [large_requests], "a malicious page": 4 * [foreign_requests],
          "all of these": [connections, slow_clients, large_requests, foreign_requests]}
 
@@ -124,7 +154,8 @@ def main():
         page.send({"do": "speed", "value": 1e6})
         page.send({"do": "run"})
         time.sleep(1)
-        print(f"{'load':28} {'server takes':>13} {'simulated s a processor s':>27}")
+        print(f"{'load':28} {'server takes':>13} {'simulated s a processor s':>27} {'a page waits':>13}")
+        waits = {}
         for name, workers in LOADS.items():
             over = threading.Event()
             threads = [threading.Thread(target=worker, args=(port, over)) for worker in workers]
@@ -134,15 +165,18 @@ def main():
             (server, simulation), simulated = thread_times(view.pid), page.time
             time.sleep(seconds)
             (server_end, simulation_end), simulated_end = thread_times(view.pid), page.time
+            waits[name] = longest_wait(port, token)
             over.set()
             for thread in threads:
                 thread.join()
             server, simulation = server_end - server, simulation_end - simulation
-            print(f"{name:28} {100 * server / (server + simulation):11.2f} % {(simulated_end - simulated) / simulation:27.4f}")
+            print(f"{name:28} {100 * server / (server + simulation):11.2f} % {(simulated_end - simulated) / simulation:27.4f} "
+                  f"{waits[name]:11.3f} s", flush=True)
+        return 0 if waits["1,000 idle connections"] <= 1 else 1
     finally:
         view.terminate()
         view.wait()
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -66,19 +66,27 @@ if [ "$scope" = all ]; then
   echo "== scenes that only lose energy: 200 for each scheme, against its bar (docs/reliability.md)"
   nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --cpu-limit 20 || true
 
+  echo "== crowds in joints: energy, and momenta within 1e-9 (their audits)"
+  nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --families joints --scenes 100 \
+    --schemes event-driven,time-stepping --cpu-limit 20
+
   echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"
   tools/study_meshes.sh 2000
 
   echo "== the advice of failing runs, tried"
   nice -n 19 tools/check_advice.py build/release/rigor --jobs "$jobs"
 
-  echo "== resumed runs of fixed steps against whole ones: 100 places a scheme (docs/reliability.md says what others do)"
-  nice -n 19 tools/check_resume.py --program build/release/rigor --jobs "$jobs" --schemes time-stepping,substep,penalty
+  echo "== resumed runs against whole ones: 100 places a scheme"
+  nice -n 19 tools/check_resume.py --program build/release/rigor --jobs "$jobs" --places 100
 
   echo "== hostile scenes, changed files, and ends by SIGTERM"
-  nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs"
-  nice -n 19 tools/check_interrupts.py build/release/rigor
+  nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs" --files 100000
+  # What is measured is time: a process that gives way to others would answer late by their fault.
+  tools/check_interrupts.py build/release/rigor
   nice -n 19 tools/check_study_kills.sh build/release/rigor
+
+  echo "== a page behind 1,000 idle connections (a second is allowed), and what floods take"
+  benchmarks/live_load.py build/release/rigor
 
   echo "== libFuzzer on every reader, ten minutes in all"
   [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null

@@ -4,7 +4,7 @@
 Heaps, stacks of boxes, columns of cylinders (half of them hit by a ball), crowds that are thrown at each other, and crowds in joints: 2 to
 30 bodies of 1 cm to 1 m, all convex shapes, gravity 0 to 50 m/s², steps of 2 ms to 1/60 s, mass ratios to 1e6, friction 0 to 1.2,
 restitution 0 to 0.8. Nothing drives them. What there is is the energy at the beginning, heights counted from the floor; the bars are
-1e-9 (event-driven, hybrid), 1e-6 (time stepping) and 1e-4 (substep, penalty) of it. A run that its limit of processor time ends is judged
+1e-9 (event-driven, hybrid, impulse-based), 1e-6 (time stepping) and 1e-4 (substep, penalty) of it. A run that its limit of processor time ends is judged
 until there. Each number of a study with its seed is the same case for all schemes, on any machine.
 
 usage: tools/dissipation_study.py [--program RIGOR] [--jobs N] [--scenes N] [--seed K] [--schemes a,b] [--families a,b] [--cpu-limit S]
@@ -20,7 +20,7 @@ import tempfile
 
 from measured_runs import METHODS, Runs, numbers, study_parser
 
-BARS = {"event-driven": 1e-9, "hybrid": 1e-9, "time-stepping": 1e-6, "substep": 1e-4, "penalty": 1e-4}
+BARS = {"event-driven": 1e-9, "hybrid": 1e-9, "impulse-based": 1e-9, "time-stepping": 1e-6, "substep": 1e-4, "penalty": 1e-4}
 FAMILIES = ["heap", "stack", "column", "thrown", "joints"]
 SHAPES = ["sphere", "box", "cylinder", "cone", "capsule", "ellipsoid", "convex"]
 ENDS = ["held", "rises", "audit failed", "ended early", "no audit"]
