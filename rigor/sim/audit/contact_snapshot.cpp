@@ -143,15 +143,17 @@ std::vector<double> efforts_of(const Joint& joint, const std::vector<double>& of
 }
 
 /// Takes motors of limited force that have reached their speed as those that hold it, so that their effort is
-/// what that takes. Steps leave the rates of coordinates off by a part of how fast the bodies turn and the
-/// motor drives; a motor that still sped up, with all its force, would be there within that step.
+/// what that takes, and so dry friction. Steps leave the rates of coordinates off by a part of how fast the
+/// bodies turn and the motor drives; a motor that still sped up, with all its force, would be there within
+/// that step. Friction has no speed of its own to be a part of, and slow slip may last.
 void hold_reached_speeds(const Model& model, const Method& method, ContactSystem& system) {
   const bool has_fixed_steps = method.scheme == Scheme::time_stepping || method.scheme == Scheme::automatic;
-  const double share = has_fixed_steps ? 1e-2 : 1e-5;
   const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    if (!system.contacts[i].is_motor()) continue;
-    const JointStop& stop = *system.contacts[i].stop;
+    const Contact& contact = system.contacts[i];
+    if (!contact.is_bounded_force()) continue;
+    const double share = !has_fixed_steps ? 1e-5 : contact.is_motor() ? 1e-2 : 1e-3;
+    const JointStop& stop = *contact.stop;
     const Joint& joint = model.joint(stop.joint);
     const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics),
                      B = motion_of(joint.body_B, system.bodies, system.kinetics);

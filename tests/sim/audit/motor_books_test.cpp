@@ -248,5 +248,52 @@ TEST(MotorBooks, AMotorOfAnyStrengthDoesTheWorkThatItsBodyHasGained) {
   }
 }
 
+// A pendulum of two bodies with a universal joint, one of whose axes friction holds. The rates that steps
+// leave there are no slip, whose whole friction would tear at the joints three times as strongly as the
+// weights do.
+TEST(MotorBooks, DryFrictionThatHoldsIsNotToldAsSlip) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  for (int k = 0; k < 12; ++k) {
+    ModelBuilder builder;
+    builder.set_gravity(Vec3(0, 0, -9.81));
+    for (const bool is_first : {true, false}) {
+      BodyDescription body;
+      body.name = is_first ? "a" : "b";
+      body.p_WU = is_first ? Vec3(0.3, 0, 0) : Vec3(0.9, 0.1, 0);
+      body.inertia = GivenInertia{is_first ? 1.0 : 0.5, Vec3::Zero(), Vec3(0.02, 0.03, 0.04), Vec3::Zero()};
+      builder.add_body(body);
+    }
+    JointDescription top;
+    top.name = "top";
+    top.type = JointType::ball;
+    top.bodies = {"world", "a"};
+    top.anchors = {Vec3::Zero()};
+    builder.add_joint(top);
+    JointDescription cross;
+    cross.name = "cross";
+    cross.type = JointType::universal;
+    cross.bodies = {"a", "b"};
+    cross.anchors = {Vec3(0.6, 0, 0)};
+    cross.axis = any();
+    cross.second_axis = cross.axis.cross(any());
+    cross.axes.resize(2);
+    cross.axes[1].friction = 5;
+    builder.add_joint(cross);
+    const auto model = builder.build();
+
+    Method by_events, by_steps;
+    by_events.scheme = Scheme::event_driven;
+    by_steps.scheme = Scheme::time_stepping;
+    const std::vector<JointReaction> exact =
+        joint_snapshot(*model, by_events, run(model, by_events, 0.1).state);
+    const std::vector<JointReaction> found =
+        joint_snapshot(*model, by_steps, run(model, by_steps, 0.1).state);
+    for (std::size_t j = 0; j < exact.size(); ++j)
+      EXPECT_LT((found[j].force_W - exact[j].force_W).norm(), 0.02 * exact[j].force_W.norm()) << k;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::motor_books_test
