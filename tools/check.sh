@@ -67,7 +67,7 @@ if [ "$scope" = all ]; then
   nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --cpu-limit 20 || true
 
   echo "== crowds in joints: energy, and momenta within 1e-9 (their audits)"
-  nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --families joints --scenes 100 \
+  nice -n 19 tools/dissipation_study.py --program build/release/rigor --jobs "$jobs" --families joints --scenes 100 --audits \
     --schemes event-driven,time-stepping --cpu-limit 20
 
   echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"

@@ -142,12 +142,19 @@ std::vector<double> efforts_of(const Joint& joint, const std::vector<double>& of
   return efforts;
 }
 
+/// Whether fixed steps have left the State: those of the scheme, or of `auto` where they carry the bodies.
+bool is_left_by_fixed_steps(const Method& method, const State& state) {
+  return method.scheme == Scheme::time_stepping ||
+         state.handover.carrier != HandoverMemory::Carrier::events ||
+         (method.scheme == Scheme::automatic && !state.events.is_left);
+}
+
 /// Takes motors of limited force that have reached their speed as those that hold it, so that their effort is
 /// what that takes, and so dry friction. Steps leave the rates of coordinates off by a part of how fast the
-/// bodies turn and the motor drives; a motor that still sped up, with all its force, would be there within
-/// that step. Friction has no speed of its own to be a part of, and slow slip may last.
-void hold_reached_speeds(const Model& model, const Method& method, ContactSystem& system) {
-  const bool has_fixed_steps = method.scheme == Scheme::time_stepping || method.scheme == Scheme::automatic;
+/// bodies turn and the motor drives; what is within it cannot be told from slip, which a weak motor has there
+/// for a while longer. Friction has no speed of its own to be a part of, and slow slip may last.
+void hold_reached_speeds(const Model& model, const Method& method, bool has_fixed_steps,
+                         ContactSystem& system) {
   const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
@@ -168,7 +175,7 @@ void hold_reached_speeds(const Model& model, const Method& method, ContactSystem
 
 /// Forces of the joints of one group of bodies under the forces of its contacts.
 void add_joint_forces(const Model& model, const Method& method, const ContactSystemAssembler& assembler,
-                      const Cluster& part, std::vector<JointReaction>& result) {
+                      const Cluster& part, bool has_fixed_steps, std::vector<JointReaction>& result) {
   constexpr Eigen::Index most_rows = 600;
   const std::vector<int> joints = assembler.joints_of(part.bodies);
   if (joints.empty()) return;
@@ -197,7 +204,7 @@ void add_joint_forces(const Model& model, const Method& method, const ContactSys
     return;
   }
   system = assembler.assemble(part, lasting);
-  hold_reached_speeds(model, method, system);
+  hold_reached_speeds(model, method, has_fixed_steps, system);
   std::vector<Wrench> wrenches = assembler.environment_wrenches(system, part.t);
   VecX of_contacts;
   if (!lasting.empty()) {
@@ -280,7 +287,7 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
   const ContactSystemAssembler assembler(model, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
-    add_joint_forces(model, method, assembler, part, result);
+    add_joint_forces(model, method, assembler, part, is_left_by_fixed_steps(method, state), result);
   if (method.scheme == Scheme::penalty && !state.contacts.empty())
     set_efforts_of_springs(model, method, state, assembler, environment, result);
   return result;

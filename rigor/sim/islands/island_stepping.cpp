@@ -174,8 +174,8 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   running.change = mode_changes_.find(island, running.step);
   if (running.change) {
     running.step = integrator_.repeated(island, std::max(running.change->h, least), running.step);
-    // A strong motor stops the slip sooner than any step ends: what it did beyond that it would be booked
-    // with.
+    // A strong motor, or any friction, stops the slip sooner than a step can end: what it did beyond that it
+    // would be booked with.
     const bool is_beyond = running.change->kind == ModeChange::Kind::slip_ends &&
                            mode_changes_.reversed_slip(island, running.step) > direction_tolerance_;
     if ((running.step.error > hopeless_error_ || is_beyond) && !island.contacts.empty()) {

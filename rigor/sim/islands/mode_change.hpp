@@ -31,7 +31,8 @@ class ModeChangeSearch {
   /// The first time at which further points of the bodies in contact meet or a joint meets a limit, and
   /// nothing else.
   std::optional<ModeChange> find_meeting(const Island& island, const IslandStep& step) const;
-  /// How fast sliding contacts slip back at the end of the step, against the slip with which it began [m/s].
+  /// How fast sliding contacts slip back at the end of the step, against the slip with which it began [m/s];
+  /// of coordinates that are angles [rad/s].
   double reversed_slip(const Island& island, const IslandStep& step) const;
 
  private:

@@ -67,6 +67,8 @@ std::optional<double> RelativeTrajectory::between(double ta, const Vec3& a, doub
   if (!may_meet(ta, tb)) return std::nullopt;
   const double tm = 0.5 * (ta + tb);
   const Vec3 m = seen(tm);
+  // A motion beyond all numbers has no way to follow: the scheme that made it ends as not finite.
+  if (!std::isfinite((m - a).stableNorm() + (b - m).stableNorm())) return std::nullopt;
   const double rotation =
       (tb - ta) * std::max(of_solid_.angular_speed(), offset_ > 0 ? of_marker_.angular_speed() : 0.0);
   const bool is_straight =
@@ -84,7 +86,6 @@ std::optional<double> RelativeTrajectory::between(double ta, const Vec3& a, doub
 /// The part of a chord after which it first goes into the solid. A motion beyond all numbers has no chord:
 /// the scheme that made it ends as not finite.
 std::optional<double> RelativeTrajectory::entry_of_chord(const Vec3& a, const Vec3& b) const {
-  if (!std::isfinite((b - a).stableNorm())) return std::nullopt;
   for (const RayHit& hit : find_ray_hits(shape_.shape, shape_.X_BS, {a, b - a, 1})) {
     if (goes_in(shape_.shape, hit)) return hit.fraction;
   }

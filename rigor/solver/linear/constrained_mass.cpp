@@ -264,6 +264,7 @@ std::uint64_t ConstrainedMass::operations() const {
   constexpr std::uint64_t of_link = 20,
                           rows_cubed = 500;  // So many cubes of rows of the dense system make one.
   std::uint64_t count = of_link * graph_.links.size();
+  if (loops_.empty()) return count;
   // Loops are multiplied with each other wherever their ways to the roots meet.
   std::vector<std::uint64_t> ways(pivots_.size(), 0);
   for (const Loop& loop : loops_)
