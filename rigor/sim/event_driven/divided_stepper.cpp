@@ -5,6 +5,7 @@
 #include "rigor/core/interrupt.hpp"
 #include "rigor/sim/pairs/remembered_forces.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -58,7 +59,12 @@ std::vector<BodyGroup> DividedStepper::groups_of(const State& state, double t_en
   std::vector<bool> is_held(at(model_->body_count()));
   for (const ContactMemory& contact : state.events.contacts)
     is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
-  if (!has_lasting_contacts_) {
+  // Without a steady force nothing lies on anything.
+  const auto is_pulled = [&](const Body& body) {
+    const int i = static_cast<int>(&body - model_->bodies().data());
+    return body.motion == MotionType::dynamic && !environment_.steady_acceleration(i).isZero(0);
+  };
+  if (!has_lasting_contacts_ && std::any_of(model_->bodies().begin(), model_->bodies().end(), is_pulled)) {
     for (const Contact& contact : touching_contacts(*model_, state, contact_tolerance_))
       is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
   }

@@ -81,7 +81,7 @@ void Trajectories::begin_paths(double t) {
 
 std::vector<BodyPath> Trajectories::take_paths(double t) {
   for (std::size_t body = 0; body < tracks_.size(); ++body) {
-    if (t > tracks_[body].followed)
+    if (is_followed_[body] && t > tracks_[body].followed)
       paths_[body].emplace_back(tracks_[body].followed, t, tracks_[body].motion);
   }
   std::vector<BodyPath> paths = std::move(paths_);

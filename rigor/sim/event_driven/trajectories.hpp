@@ -96,7 +96,7 @@ class Trajectories {
   std::vector<int> unbounded_;         ///< Bodies with a plane.
   std::unique_ptr<BroadPhase> boxes_;  ///< Windows of the others.
   std::vector<bool> is_followed_;
-  std::vector<Aabb> ranges_;  ///< Of each body, in this span [s]; empty if nobody asks for them.
+  std::vector<Aabb> ranges_;  ///< Of each body, in this span [m]; empty if nobody asks for them.
   double ranges_begin_ = 0, ranges_end_ = 0;
   std::set<std::pair<int, int>> lasting_;
   std::vector<BodyPath> paths_;

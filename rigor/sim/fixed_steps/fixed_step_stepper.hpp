@@ -30,8 +30,6 @@ class FixedStepStepper : public Stepper {
   /// Moves from t towards the end of a fixed step. Returns the time reached [s]: a scheme may divide the
   /// step, and is then asked again. If it cannot continue, `report_.reason` says why.
   virtual double step_towards(double t_end, double t, State& state) = 0;
-  /// Whether the way of the bodies in the last part of a step was watched by the scheme itself.
-  virtual bool has_watched() const { return false; }
   /// Brings the State to the time reached, where the scheme keeps its bodies elsewhere during a span.
   virtual void show_step([[maybe_unused]] double t, [[maybe_unused]] State& state) {}
   /// Completes the State at the time reached [s], also after a stop.

@@ -120,7 +120,8 @@ std::vector<BodyGroup> groups_worth_a_thread(const Model& model, const Environme
   std::vector<BodyGroup> worth;
   BodyGroup others;
   for (BodyGroup& group : groups_apart(model, environment, state, t_end, tolerance)) {
-    if (std::any_of(group.begin(), group.end(), [&](int body) { return is_busy[at(body)]; })) {
+    const bool is_alone = group.size() == 1;
+    if (!is_alone && std::any_of(group.begin(), group.end(), [&](int body) { return is_busy[at(body)]; })) {
       worth.push_back(std::move(group));
     } else {
       others.insert(others.end(), group.begin(), group.end());

@@ -26,9 +26,10 @@ std::vector<BodyGroup> joined_where_they_meet(const Model& model, std::vector<Bo
 std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment, const State& state,
                                     double t_end, double tolerance);
 
-/// Those of these groups that are worth a thread: some of their bodies move while something besides gravity
-/// acts on them (is_held, of each body: something touches it). All others, which fly or lie still, are one
-/// more. No groups if less than two are worth it, and never more than a few dozen.
+/// Those of these groups that are worth a thread: of several bodies, of which some move while something
+/// besides gravity acts on them (is_held, of each body: something touches it). All others, which fly, lie
+/// still or are alone, are one more. No groups if less than two are worth it, and never more than a few
+/// dozen.
 std::vector<BodyGroup> groups_worth_a_thread(const Model& model, const Environment& environment,
                                              const State& state, double t_end, double tolerance,
                                              const std::vector<bool>& is_held);

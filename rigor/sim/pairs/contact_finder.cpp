@@ -13,17 +13,7 @@ ContactFinder::ContactFinder(const Model& model, BroadPhaseMethod method)
     : model_(model),
       boxes_(make_broad_phase(method)),
       box_of_(at(model.body_count())),
-      known_(box_of_.size(), false),
-      is_here_(box_of_.size(), true) {}
-
-void ContactFinder::look_only_at(const std::vector<bool>& bodies) {
-  is_here_ = bodies;
-  for (int i = 0; i < model_.body_count(); ++i) {
-    if (is_here_[at(i)] || !known_[at(i)]) continue;
-    boxes_->remove(i);
-    known_[at(i)] = false;
-  }
-}
+      known_(box_of_.size(), false) {}
 
 std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
                                                            const std::vector<double>& reaches) {
@@ -31,7 +21,7 @@ std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
 
   // The boxes of all bodies, grown by their reaches.
   for (int i = 0; i < model_.body_count(); ++i) {
-    if (!is_here_[at(i)] || model_.body(i).shapes.empty()) continue;
+    if (model_.body(i).shapes.empty()) continue;
     const std::size_t k = at(i);
     const Aabb box = body_box(model_, state, i).grown(reaches[k]);
     if (known_[k] && box.lower == box_of_[k].lower && box.upper == box_of_[k].upper) continue;
@@ -44,7 +34,7 @@ std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
   std::vector<std::pair<int, int>> pairs;
   std::vector<int> near;
   for (int i = 0; i < model_.body_count(); ++i) {
-    if (!is_here_[at(i)] || model_.body(i).shapes.empty()) continue;
+    if (model_.body(i).shapes.empty()) continue;
     const bool is_dynamic = model_.body(i).motion == MotionType::dynamic;
     boxes_->overlapping(box_of_[at(i)], near);
     for (const int other : near) {

@@ -17,9 +17,6 @@ class ContactFinder {
   /// Holds a reference to the model.
   ContactFinder(const Model& model, BroadPhaseMethod method);
 
-  /// From now on only these bodies are there, of each body whether it is one.
-  void look_only_at(const std::vector<bool>& bodies);
-
   /// Pairs of bodies that may collide, at least one of them dynamic, whose boxes, each grown by the reach of
   /// its body [m], meet; lower index first, in order.
   std::vector<std::pair<int, int>> near_pairs(const State& state, const std::vector<double>& reaches);
@@ -34,8 +31,7 @@ class ContactFinder {
   const Model& model_;
   std::unique_ptr<BroadPhase> boxes_;
   std::vector<Aabb> box_of_;
-  std::vector<bool> known_;    ///< Whether a body has a box.
-  std::vector<bool> is_here_;  ///< Of each body.
+  std::vector<bool> known_;  ///< Whether a body has a box.
 };
 
 }  // namespace rigor

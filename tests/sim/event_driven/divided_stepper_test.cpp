@@ -129,7 +129,7 @@ TEST_P(Divided, HasTheBitsOfOneQueueForAllOnAnyNumberOfThreads) {
 }
 
 /// Balls in air: a heavy one strikes a light one, which becomes twice as fast as it, strikes a third one that
-/// nobody foresaw, and a fourth one is far away.
+/// nobody foresaw, and two on a joint are far away.
 std::shared_ptr<const Model> unforeseen_strike() {
   ModelBuilder builder;
   builder.set_gravity(Vec3::Zero());
@@ -148,6 +148,13 @@ std::shared_ptr<const Model> unforeseen_strike() {
   add("light", 0.15, 0.01, 0);
   add("struck", 0.55, 1, 0);
   add("far", 3, 1, 1);
+  add("farther", 3.2, 1, 1);
+  ModelBuilder::JointDescription joint;
+  joint.name = "between";
+  joint.type = JointType::ball;
+  joint.bodies = {"far", "farther"};
+  joint.anchors = {Vec3(3.1, 0, 0)};
+  builder.add_joint(joint);
   return builder.build();
 }
 
@@ -167,25 +174,59 @@ TEST(DividedStepper, GroupsThatMeetUnforeseenAreAdvancedAsOne) {
   EXPECT_EQ(divided_state, whole_state);
 }
 
+/// What a moving table carries in two places is in two groups, each of which sees the table go on alone.
+TEST(DividedStepper, ATableMovesWhatLiesOnItInTwoGroups) {
+  for (const double speed : {1.0, 10.0}) {
+    ModelBuilder builder;
+    builder.set_gravity(Vec3(0, 0, -9.81));
+    builder.add_material({"m", 1000, 0.5, 0});
+    const auto add = [&](const std::string& name, const Vec3& half, const Vec3& x, MotionType motion) {
+      BodyDescription body;
+      body.name = name;
+      body.motion = motion;
+      body.p_WU = x;
+      body.velocity = Vec3(0, 0, speed);
+      body.shapes.push_back({Box{half}, Vec3::Zero(), Quat::Identity(), "m", ""});
+      builder.add_body(body);
+    };
+    add("table", Vec3(4, 0.5, 0.05), Vec3(0, 0, -0.05), MotionType::kinematic);
+    for (const double x : {-3.0, 3.0}) {
+      add("lower" + std::to_string(x), Vec3::Constant(0.05), Vec3(x, 0, 0.05), MotionType::dynamic);
+      add("upper" + std::to_string(x), Vec3::Constant(0.05), Vec3(x, 0, 0.15), MotionType::dynamic);
+    }
+    const std::shared_ptr<const Model> model = builder.build();
+    DividedStepper events = make_divided(model, Method{}, 2);
+    State state = make_initial_state(*model);
+    std::size_t most_groups = 0;
+    for (int k = 1; k <= 10; ++k) {
+      EXPECT_EQ(events.advance(state, interval * k).passages.instants, 0);
+      most_groups = std::max(most_groups, events.group_count());
+    }
+    EXPECT_EQ(most_groups, 2u);
+  }
+}
+
 /// Each thread asks the one interrupt, and what is broken off is done again from the State.
 TEST(DividedStepper, AnInterruptLeavesTheStateThatWas) {
   const std::shared_ptr<const Model> model = field(4, 3, 3);
   const Method method;
   State state = make_initial_state(*model), undisturbed = state;
   DividedStepper stepper = make_divided(model, method, 2), other = make_divided(model, method, 1);
-  for (int k = 1; k <= 12; ++k) {
-    stepper.advance(state, interval * k);
+  // Until there is something to divide.
+  int k = 0;
+  while (stepper.group_count() < 2 && k < 30) {
+    stepper.advance(state, interval * ++k);
     other.advance(undisturbed, interval * k);
   }
   ASSERT_GT(stepper.group_count(), 1u);
   const State before = state;
   int asked = 0;
   stepper.set_interrupt([&asked] { return ++asked > 20; });
-  EXPECT_EQ(stepper.advance(state, interval * 13).reason, StopReason::interrupted);
+  EXPECT_EQ(stepper.advance(state, interval * (k + 1)).reason, StopReason::interrupted);
   EXPECT_EQ(state, before);
   stepper.set_interrupt({});
-  EXPECT_EQ(stepper.advance(state, interval * 13).reason, StopReason::reached_end);
-  other.advance(undisturbed, interval * 13);
+  EXPECT_EQ(stepper.advance(state, interval * (k + 1)).reason, StopReason::reached_end);
+  other.advance(undisturbed, interval * (k + 1));
   EXPECT_EQ(state, undisturbed);
 }
 

@@ -53,9 +53,8 @@ std::shared_ptr<const Model> taut_net(test::Random& random) {
 
 TEST(Nets, WhatExactStepsLoseOrPayTooMuchForGoesOnSoftly) {
   // As little is paid for exact steps as ends a test soon.
-  const HandoverBounds bounds{.paid_to_steps = 3e6, .most_owed_by_steps = 3e6};
-  int lost = 0;
-  for (unsigned seed = 0; seed < 8; ++seed) {
+  const HandoverBounds bounds{.paid_to_steps = 1e6, .most_owed_by_steps = 1e6};
+  for (unsigned seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(4100 + seed);
     const std::shared_ptr<const Model> model = taut_net(random);
@@ -67,25 +66,54 @@ TEST(Nets, WhatExactStepsLoseOrPayTooMuchForGoesOnSoftly) {
     AutoStepper stepper = fresh();
     State state = make_initial_state(*model), middle = state;
     Auditor auditor(model, automatic(), state);
-    for (int k = 1; k <= 20; ++k) {
+    for (int k = 1; k <= 10; ++k) {
       const AdvanceReport report = stepper.advance(state, k * interval);
       ASSERT_EQ(report.reason, StopReason::reached_end) << report.detail << " at " << state.t;
       auditor.observe(state, report);
-      if (k == 10) middle = state;
+      if (k == 5) middle = state;
     }
     const Audit audit = auditor.audit(state);
     ASSERT_GE(audit.spans.size(), 2u);
     EXPECT_EQ(audit.spans.back().of.solver, SolverMethod::substep);
-    for (const auto& span : audit.spans)
-      lost += span.of.end_cause.find("by exact steps: body 'knot") != std::string::npos ? 1 : 0;
 
     // From where it was put aside the run goes the same way.
     AutoStepper again = fresh();
     State resumed = deserialise(serialise(middle));
-    for (int k = 11; k <= 20; ++k) again.advance(resumed, k * interval);
+    for (int k = 6; k <= 10; ++k) again.advance(resumed, k * interval);
     EXPECT_EQ(resumed, state);
   }
-  EXPECT_GT(lost, 0);
+}
+
+TEST(Nets, AMotionThatExactStepsCannotFollowGoesOnSoftly) {
+  for (const double speed : {1e7, 1e8}) {
+    // A ball on two rods, faster than useful parts of a step follow.
+    ModelBuilder builder;
+    builder.set_gravity(Vec3(0, 0, -9.81));
+    builder.add_material({"m", 1000, 0.5, 0});
+    for (int k = 0; k < 2; ++k) {
+      BodyDescription ball = test::stepping_body("ball" + std::to_string(k), Sphere{0.05}, Vec3(k + 1, 0, 0));
+      ball.velocity = Vec3(0, k * speed, 0);
+      builder.add_body(ball);
+      ModelBuilder::JointDescription rod;
+      rod.name = "rod" + std::to_string(k);
+      rod.type = JointType::ball;
+      rod.bodies = {k == 0 ? "world" : "ball0", "ball" + std::to_string(k)};
+      rod.anchors = {Vec3(k, 0, 0)};
+      builder.add_joint(rod);
+    }
+    const std::shared_ptr<const Model> model = builder.build();
+    const ResolvedMethod resolved = resolve_scheme(*model, automatic());
+    AutoStepper stepper(model, std::make_unique<EventDrivenStepper>(model, resolved.method, step), resolved,
+                        step);
+    State state = make_initial_state(*model);
+    const AdvanceReport report = stepper.advance(state, interval);
+    EXPECT_EQ(report.reason, StopReason::reached_end) << report.detail;
+    ASSERT_EQ(report.spans.size(), 3u);
+    EXPECT_NE(report.spans[1].end_cause.find("unresolved by exact steps: body 'ball"), std::string::npos)
+        << report.spans[1].end_cause;
+    EXPECT_EQ(report.spans[2].solver, SolverMethod::substep);
+    EXPECT_EQ(report.spans[2].end, interval);
+  }
 }
 
 TEST(Nets, AStepThatTakesTooMuchIsGivenUpWithinATry) {
@@ -96,7 +124,7 @@ TEST(Nets, AStepThatTakesTooMuchIsGivenUpWithinATry) {
     Method method;
     method.scheme = Scheme::time_stepping;
     TimeStepper stepper(model, method, step);
-    constexpr double limit = 1e5;
+    constexpr double limit = 1e6;
     stepper.set_work_limit(limit);
     State state = make_initial_state(*model);
     const State before = state;
@@ -105,8 +133,8 @@ TEST(Nets, AStepThatTakesTooMuchIsGivenUpWithinATry) {
     EXPECT_EQ(report.reason, StopReason::interrupted);
     EXPECT_TRUE(stepper.is_beyond_work_limit());
     EXPECT_EQ(state, before);
-    // It is asked for in each stage of an integrator, which factors the equations of the joints a few times.
-    EXPECT_LE(static_cast<double>(work_counted() - counted), 1.5 * limit);
+    // It is asked for in each stage of an integrator; what joins these factors equations some dozen times.
+    EXPECT_LE(static_cast<double>(work_counted() - counted), limit + 1e5);
   }
 }
 
