@@ -36,7 +36,8 @@ class TimeStepper : public FixedStepStepper {
     return touching_points(*model_, state, touching_, forces_);
   }
   /// The next calls may each do so many operations (AdvanceReport::step_work): a call that has done more ends
-  /// between two tries or within one with StopReason::interrupted, and leaves the State as it was before the step.
+  /// between two tries or within one with StopReason::interrupted, and leaves the State as it was before the
+  /// step.
   void set_work_limit(double operations) { work_limit_ = operations; }
   /// Whether the last call ended for that reason.
   bool is_beyond_work_limit() const { return report_.step_work > work_limit_; }
