@@ -13,7 +13,7 @@ namespace {
 // Twenty a link, one for each two loops that meet at a place, and what the dense system of their rows takes.
 TEST(ConstrainedMassWork, IsThatOfLinksAndOfLoops) {
   constexpr int nodes = 29, rows_of_loop = 3;
-  for (const std::uint64_t loops : {0, 1, 8, 40}) {
+  for (const std::uint64_t loops : std::vector<std::uint64_t>{0, 1, 8, 40}) {
     // A chain on the ground, and loops that join its last node to the last but two.
     ConstraintGraph graph{nodes, {{5, {0}}}};
     for (int i = 1; i < nodes; ++i) graph.links.push_back({5, {i - 1, i}});
