@@ -5,7 +5,6 @@
 #include "rigor/core/interrupt.hpp"
 #include "rigor/sim/pairs/remembered_forces.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -40,7 +39,7 @@ AdvanceReport DividedStepper::advance_span(State& state, double t_end) {
   t_ = state.t;
   if (t_end == state.t) return {};
   const ApartWork work{[this](const BodyGroup& bodies) { begin_group(bodies); },
-                       [this, t_end](ApartGroup& group, int) { advance_group(group, t_end); }};
+                       [this, t_end](ApartGroup& group) { advance_group(group, t_end); }};
   std::vector<ApartGroup> groups =
       advance_apart(*model_, executor_, groups_of(state, t_end), state, work_, work);
   const StopReason reason = reason_of(groups);
@@ -60,11 +59,11 @@ std::vector<BodyGroup> DividedStepper::groups_of(const State& state, double t_en
   for (const ContactMemory& contact : state.events.contacts)
     is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
   // Without a steady force nothing lies on anything.
-  const auto is_pulled = [&](const Body& body) {
-    const int i = static_cast<int>(&body - model_->bodies().data());
-    return body.motion == MotionType::dynamic && !environment_.steady_acceleration(i).isZero(0);
-  };
-  if (!has_lasting_contacts_ && std::any_of(model_->bodies().begin(), model_->bodies().end(), is_pulled)) {
+  bool is_pulled = false;
+  for (int i = 0; i < model_->body_count() && !is_pulled; ++i)
+    is_pulled =
+        model_->body(i).motion == MotionType::dynamic && !environment_.steady_acceleration(i).isZero(0);
+  if (!has_lasting_contacts_ && is_pulled) {
     for (const Contact& contact : touching_contacts(*model_, state, contact_tolerance_))
       is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
   }

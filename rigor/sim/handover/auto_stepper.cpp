@@ -193,7 +193,7 @@ AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look
   }
 
   std::string cause = reason_to_return(begin, state.t, report);
-  std::string soften = has_lost ? lost : reason_to_soften(begin, state.t, report);
+  std::string soften = has_lost ? std::move(lost) : reason_to_soften(begin, state.t, report);
   RIGOR_ASSERT(!is_given_up || !soften.empty());
   if (!soften.empty()) {
     memory_ = {.carrier = Carrier::soft_steps, .soft_step = soft_step_from(state)};

@@ -56,15 +56,13 @@ void advance_all(std::vector<ApartGroup>& groups, std::size_t first, const Execu
             [&](std::size_t a, std::size_t b) { return foreseen[a] > foreseen[b]; });
   const std::function<bool()> interrupt = shared_interrupt();
   std::atomic<std::size_t> next{0};
-  executor.for_ranges(executor.threads(), 1, [&](int begin, int end) {
+  executor.for_ranges(executor.threads(), 1, [&](int, int) {
     const InterruptScope scope(interrupt);
-    for (int thread = begin; thread < end; ++thread) {
-      for (std::size_t i = next++; i < order.size(); i = next++) {
-        ApartGroup& group = groups[order[i]];
-        const std::uint64_t before = work_counted() + following_counted();
-        work.advance(group, thread);
-        group.work = static_cast<double>(work_counted() + following_counted() - before);
-      }
+    for (std::size_t i = next++; i < order.size(); i = next++) {
+      ApartGroup& group = groups[order[i]];
+      const std::uint64_t before = work_counted() + following_counted();
+      work.advance(group);
+      group.work = static_cast<double>(work_counted() + following_counted() - before);
     }
   });
   for (std::size_t i = first; i < groups.size(); ++i) {

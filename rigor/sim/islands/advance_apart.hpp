@@ -22,9 +22,9 @@ struct ApartGroup {
 struct ApartWork {
   /// Is told of each group that will be advanced, on the thread that asks.
   std::function<void(const BodyGroup&)> begin;
-  /// Advances a group as far as it comes: its state, report and ranges; on any thread, of which the number is
-  /// given (below Executor::threads()), and which asks the interrupt of whoever asked.
-  std::function<void(ApartGroup&, int thread)> advance;
+  /// Advances a group as far as it comes: its state, report and ranges; on any thread, which asks the
+  /// interrupt of whoever asked.
+  std::function<void(ApartGroup&)> advance;
 };
 
 /// Advances groups of the State through one span side by side, those that could have met once more, as one.

@@ -261,8 +261,8 @@ void ConstrainedMass::store(const Vec6& values, int link, Eigen::Ref<VecX> x) co
 
 /// What the factors of this configuration cost, with all that is asked of them (count_work).
 std::uint64_t ConstrainedMass::operations() const {
-  constexpr std::uint64_t of_link = 20,
-                          rows_cubed = 500;  // So many cubes of rows of the dense system make one.
+  // Of a link; and so many cubes of rows of the dense system are one.
+  constexpr std::uint64_t of_link = 20, rows_cubed = 500;
   std::uint64_t count = of_link * graph_.links.size();
   if (loops_.empty()) return count;
   // Loops are multiplied with each other wherever their ways to the roots meet.
