@@ -45,6 +45,8 @@ class JointSystem {
   /// factored at the same poses and with the same choice of rows is kept.
   void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
               const RowRules& rules);
+  /// The next update() factors, also at the same poses.
+  void forget_factors() { solver_->forget(); }
 
   const std::vector<int>& joints() const { return joints_; }
   const RowChoice& choice() const { return solver_->choice(); }

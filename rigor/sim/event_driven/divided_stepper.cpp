@@ -67,7 +67,11 @@ std::vector<BodyGroup> DividedStepper::groups_of(const State& state, double t_en
     for (const Contact& contact : touching_contacts(*model_, state, contact_tolerance_))
       is_held[at(contact.body_A)] = is_held[at(contact.body_B)] = true;
   }
-  return groups_worth_a_thread(*model_, environment_, state, t_end, contact_tolerance_, is_held);
+  constexpr std::size_t most_groups = 32;
+  const auto foreseen = [&] {
+    return foreseen_ranges(*model_, environment_, state, t_end, contact_tolerance_);
+  };
+  return groups_worth_a_thread(*model_, environment_, state, {std::move(is_held), foreseen, most_groups});
 }
 
 /// A stepper for the group: that of the last span, if it was a group then, which goes on with what it keeps.

@@ -53,7 +53,7 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
       } else {
         t_ = step_towards(end_of_part(t_, end), t_, state);
         show_step(t_, state);
-        witness_.watch(state, report_);
+        witness_.watch(state, report_, watched_groups());
       }
     }
   }

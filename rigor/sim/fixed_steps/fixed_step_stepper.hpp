@@ -6,6 +6,7 @@
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -30,6 +31,9 @@ class FixedStepStepper : public Stepper {
   /// Moves from t towards the end of a fixed step. Returns the time reached [s]: a scheme may divide the
   /// step, and is then asked again. If it cannot continue, `report_.reason` says why.
   virtual double step_towards(double t_end, double t, State& state) = 0;
+  /// Of each body the group in which it was watched in the last part of a step; -1 for those that were
+  /// watched in each group. Empty where the scheme watched nothing by itself.
+  virtual std::span<const int> watched_groups() const { return {}; }
   /// Brings the State to the time reached, where the scheme keeps its bodies elsewhere during a span.
   virtual void show_step([[maybe_unused]] double t, [[maybe_unused]] State& state) {}
   /// Completes the State at the time reached [s], also after a stop.
@@ -38,6 +42,8 @@ class FixedStepStepper : public Stepper {
   /// Shows the witness the State that a scheme brings to the time reached within a step that it takes in
   /// parts by itself.
   void watch_part(const State& state) { witness_.watch(state, report_); }
+  /// From now on the witness watches these bodies alone.
+  void watch_only(const std::vector<bool>& is_here) { witness_.watch_only(is_here); }
   /// The length of the whole step of which step_towards() takes a part, or all [s].
   double whole_step() const { return whole_step_; }
   /// Puts kinematic and fixed bodies where they are at the State's time.

@@ -116,6 +116,11 @@ std::shared_ptr<const JointSystem> ContactSystemAssembler::equations_of(
   return group.equations;
 }
 
+void ContactSystemAssembler::forget_factors() const {
+  for (Group& group : groups_)
+    if (group.equations) group.equations->forget_factors();
+}
+
 /// Moves the points of the contacts along with the surfaces from where the island began to where its bodies
 /// are now.
 void ContactSystemAssembler::track_contacts(const Island& island, const Bodies& now,

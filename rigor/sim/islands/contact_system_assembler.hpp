@@ -16,12 +16,16 @@ namespace rigor {
 ///
 /// It knows nothing of integrators and laws of contact. From call to call it keeps, of each group of bodies,
 /// room for the equations of its joints: many questions are asked about the same group, most of them where it
-/// stands. What it answers does not depend on that. Not for two threads at once.
+/// stands. What it answers does not depend on that, but what is counted (count_work) does. Not for two
+/// threads at once.
 class ContactSystemAssembler {
  public:
   /// Holds references to both. motor_horizon: JointSystem::RowRules; the step of schemes of fixed steps, 0
   /// where limits are found as they are reached.
   ContactSystemAssembler(const Model& model, const Environment& environment, double motor_horizon = 0);
+
+  /// From here on the same questions count the same operations, whatever was asked before.
+  void forget_factors() const;
 
   double motor_horizon() const { return motor_horizon_; }
   const Environment& environment() const { return environment_; }

@@ -12,9 +12,6 @@ namespace rigor {
 
 namespace {
 
-/// More groups than these are dealt out to as many: each costs something.
-constexpr std::size_t most_groups = 32;
-
 bool is_dynamic(const Model& model, int body) {
   return model.body(body).motion == MotionType::dynamic;
 }
@@ -74,22 +71,13 @@ std::vector<BodyGroup> joined_where_they_meet(const Model& model, std::vector<Bo
   return groups_of(model, std::move(sets));
 }
 
-std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment, const State& state,
-                                    double t_end, double tolerance) {
+BodyRanges foreseen_ranges(const Model& model, const Environment& environment, const State& state,
+                           double t_end, double tolerance) {
   const double h = t_end - state.t;
-  std::vector<int> sets(at(model.body_count()));
-  std::iota(sets.begin(), sets.end(), 0);
-  int first = -1;
-  bool is_bounded = true;
   BodyRanges ranges;
   for (int i = 0; i < model.body_count(); ++i) {
-    if (!is_dynamic(model, i)) continue;
-    if (first < 0) first = i;
-    for (const int partner : environment.spring_partners(i)) join_sets(sets, i, partner);
-    for (const int partner : environment.joint_partners(i)) join_sets(sets, i, partner);
     const Body& body = model.body(i);
-    if (body.shapes.empty()) continue;
-    is_bounded = is_bounded && std::isfinite(body.bounding_radius);
+    if (!is_dynamic(model, i) || body.shapes.empty()) continue;
 
     // Impacts may turn its velocity any way.
     const Vec3 x = state.position(i);
@@ -98,40 +86,55 @@ std::vector<BodyGroup> groups_apart(const Model& model, const Environment& envir
         h * (state.linear_momentum(i).norm() / body.mass + h * environment.steady_acceleration(i).norm());
     ranges.push_back({i, Aabb{x, x}.grown(reach)});
   }
-  for (int i = 0; i < model.body_count() && !is_bounded; ++i) {
-    if (is_dynamic(model, i)) join_sets(sets, first, i);
+  return ranges;
+}
+
+std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment,
+                                    const BodyRanges& ranges) {
+  std::vector<int> sets(at(model.body_count()));
+  std::iota(sets.begin(), sets.end(), 0);
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (!is_dynamic(model, i)) continue;
+    for (const int partner : environment.spring_partners(i)) join_sets(sets, i, partner);
+    for (const int partner : environment.joint_partners(i)) join_sets(sets, i, partner);
+  }
+  const bool is_bounded = std::all_of(ranges.begin(), ranges.end(), [&](const BoxItem& range) {
+    return std::isfinite(model.body(range.id).bounding_radius);
+  });
+  if (!is_bounded) {
+    for (int i = 0; i < model.body_count(); ++i)
+      if (is_dynamic(model, i)) join_sets(sets, ranges.front().id, i);
   }
   return joined_where_they_meet(model, groups_of(model, std::move(sets)), ranges);
 }
 
 std::vector<BodyGroup> groups_worth_a_thread(const Model& model, const Environment& environment,
-                                             const State& state, double t_end, double tolerance,
-                                             const std::vector<bool>& is_held) {
+                                             const State& state, const WorthOfGroups& worth) {
   // What only flies or lies still, as in a gas, is not worth asking who comes near whom.
   std::vector<bool> is_busy(at(model.body_count()));
   int busy = 0;
   for (int i = 0; i < model.body_count(); ++i) {
     const bool moves = !state.linear_momentum(i).isZero(0) || !state.angular_momentum(i).isZero(0);
-    is_busy[at(i)] = is_dynamic(model, i) && (environment.is_forced(i) || (is_held[at(i)] && moves));
+    is_busy[at(i)] = is_dynamic(model, i) && (environment.is_forced(i) || (worth.is_held[at(i)] && moves));
     busy += is_busy[at(i)] ? 1 : 0;
   }
   if (busy < 2) return {};
 
-  std::vector<BodyGroup> worth;
+  std::vector<BodyGroup> groups;
   BodyGroup others;
-  for (BodyGroup& group : groups_apart(model, environment, state, t_end, tolerance)) {
+  for (BodyGroup& group : groups_apart(model, environment, worth.foreseen())) {
     const bool is_alone = group.size() == 1;
     if (!is_alone && std::any_of(group.begin(), group.end(), [&](int body) { return is_busy[at(body)]; })) {
-      worth.push_back(std::move(group));
+      groups.push_back(std::move(group));
     } else {
       others.insert(others.end(), group.begin(), group.end());
     }
   }
-  if (worth.size() < 2) return {};
-  worth = dealt_out(std::move(worth), most_groups);
+  if (groups.size() < 2) return {};
+  groups = dealt_out(std::move(groups), worth.most);
   std::sort(others.begin(), others.end());
-  if (!others.empty()) worth.push_back(std::move(others));
-  return worth;
+  if (!others.empty()) groups.push_back(std::move(others));
+  return groups;
 }
 
 }  // namespace rigor

@@ -4,6 +4,8 @@
 #include "rigor/geometry/broad_phase/broad_phase.hpp"
 #include "rigor/model/state.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace rigor {
@@ -19,19 +21,26 @@ using BodyRanges = std::vector<BoxItem>;
 std::vector<BodyGroup> joined_where_they_meet(const Model& model, std::vector<BodyGroup> groups,
                                               const BodyRanges& ranges);
 
-/// The dynamic bodies of the State in groups that have nothing to do with each other until t_end [s] as long
-/// as no body becomes faster than it is now by more than what gravity and steady forces add: joints, springs
-/// and what a body may come near keep bodies together. tolerance: of contacts [m]. One group where a dynamic
-/// body has no bounds.
-std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment, const State& state,
-                                    double t_end, double tolerance);
+/// Where the dynamic bodies of the State may come until t_end [s] as long as none becomes faster than it is
+/// now by more than what steady forces add, whatever impacts turn it to. tolerance: of contacts [m].
+BodyRanges foreseen_ranges(const Model& model, const Environment& environment, const State& state,
+                           double t_end, double tolerance);
 
-/// Those of these groups that are worth a thread: of several bodies, of which some move while something
-/// besides gravity acts on them (is_held, of each body: something touches it). All others, which fly, lie
-/// still or are alone, are one more. No groups if less than two are worth it, and never more than a few
-/// dozen.
+/// The dynamic bodies in groups that have nothing to do with each other as long as they stay in these ranges:
+/// joints, springs and what a body may come near keep bodies together. One group where a dynamic body has no
+/// bounds.
+std::vector<BodyGroup> groups_apart(const Model& model, const Environment& environment,
+                                    const BodyRanges& ranges);
+
+/// Which groups of the State's bodies are worth a thread.
+struct WorthOfGroups {
+  std::vector<bool> is_held;             ///< Of each body: something touches it.
+  std::function<BodyRanges()> foreseen;  ///< Where bodies may come: asked if there may be two groups.
+  std::size_t most;                      ///< More are dealt out to as many, since each costs something.
+};
+/// Those of several bodies, of which some move while something besides gravity acts on them. All others,
+/// which fly, lie still or are alone, are one more. No groups if less than two are worth it.
 std::vector<BodyGroup> groups_worth_a_thread(const Model& model, const Environment& environment,
-                                             const State& state, double t_end, double tolerance,
-                                             const std::vector<bool>& is_held);
+                                             const State& state, const WorthOfGroups& worth);
 
 }  // namespace rigor

@@ -17,6 +17,9 @@ class ContactFinder {
   /// Holds a reference to the model.
   ContactFinder(const Model& model, BroadPhaseMethod method);
 
+  /// From now on only these bodies are there, of each body whether it is one.
+  void look_only_at(const std::vector<bool>& bodies);
+
   /// Pairs of bodies that may collide, at least one of them dynamic, whose boxes, each grown by the reach of
   /// its body [m], meet; lower index first, in order.
   std::vector<std::pair<int, int>> near_pairs(const State& state, const std::vector<double>& reaches);
@@ -30,8 +33,10 @@ class ContactFinder {
  private:
   const Model& model_;
   std::unique_ptr<BroadPhase> boxes_;
-  std::vector<Aabb> box_of_;
-  std::vector<bool> known_;  ///< Whether a body has a box.
+  std::vector<Aabb> box_of_;   ///< At the last question.
+  std::vector<Aabb> kept_of_;  ///< In the broad phase: larger ones, so that it seldom changes.
+  std::vector<bool> known_;    ///< Whether a body has a box.
+  std::vector<bool> is_here_;  ///< Of each body.
 };
 
 }  // namespace rigor

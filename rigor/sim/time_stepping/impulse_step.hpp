@@ -40,6 +40,8 @@ class ImpulseStep {
   /// tries of this step.
   PartForces move(double h, double theta, StepAccuracy wanted, Cluster& part, FreeMotionMemory& memory,
                   AdvanceReport& report) const;
+  /// See ContactSystemAssembler.
+  void forget_factors() const { assembler_without_springs_.forget_factors(); }
 
  private:
   /// Contacts that close within a step, and those that touch.

@@ -27,7 +27,8 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
       tolerance_(method.contact_tolerance),
       cone_(method.cone),
       finder_(model, method.broad_phase),
-      end_finder_(model, method.broad_phase) {
+      end_finder_(model, method.broad_phase),
+      is_here_(rigor::at(model.body_count()), true) {
   for (int i = 0; i < model.body_count(); ++i) {
     double thickness = std::numeric_limits<double>::infinity(), width = thickness;
     for (const BodyShape& shape : model.body(i).shapes) {
@@ -39,12 +40,23 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
   }
 }
 
+void StepContacts::look_only_at(const std::vector<bool>& bodies) {
+  is_here_ = bodies;
+  finder_.look_only_at(bodies);
+  end_finder_.look_only_at(bodies);
+}
+
+/// Nobody asks for the box of a body that is not there.
+Aabb StepContacts::box_of(const State& state, int body) const {
+  return is_here_[rigor::at(body)] ? body_box(model_, state, body) : Aabb{Vec3::Zero(), Vec3::Zero()};
+}
+
 void StepContacts::begin_step(const State& state) {
   known_.clear();
   ground_.reset();
   boxes_.clear();
   reaches_.clear();
-  for (int i = 0; i < model_.body_count(); ++i) boxes_.push_back(body_box(model_, state, i));
+  for (int i = 0; i < model_.body_count(); ++i) boxes_.push_back(box_of(state, i));
 }
 
 /// All contacts of a pair at the beginning of the step with gaps up to the margin [m].
@@ -183,8 +195,7 @@ std::vector<Contact> StepContacts::at_end(const State& end, const std::vector<Pa
                                           const std::vector<bool>& is_moved) const {
   std::vector<Aabb> boxes;
   boxes.reserve(rigor::at(model_.body_count()));
-  for (int i = 0; i < model_.body_count(); ++i)
-    boxes.push_back(body_box(model_, end, i).grown(0.5 * tolerance_));
+  for (int i = 0; i < model_.body_count(); ++i) boxes.push_back(box_of(end, i).grown(0.5 * tolerance_));
   const auto moved = [&](int body) { return !is_moved.empty() && is_moved[rigor::at(body)]; };
   std::vector<Contact> contacts;
   for (const Pair& pair : pairs) {

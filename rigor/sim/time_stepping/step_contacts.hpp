@@ -34,9 +34,11 @@ class StepContacts {
   /// Holds references to the model and the environment.
   StepContacts(const Model& model, const Environment& environment, const Method& method);
 
+  /// From now on only these bodies are there, of each body whether it is one.
+  void look_only_at(const std::vector<bool>& bodies);
   /// Begins with a step from this State. Until the next one the contacts there are found once for all tries.
   void begin_step(const State& state);
-  /// The boxes of all bodies in that State.
+  /// The boxes of the bodies in that State.
   const std::vector<Aabb>& boxes() const { return boxes_; }
   /// The contacts of a step from `start`, the bodies of the State.
   NearContacts near(const State& state, const Cluster& start, const SpeculativeContacts& speculative);
@@ -69,6 +71,8 @@ class StepContacts {
   double margin(const Pair& pair, const SpeculativeContacts& speculative) const;
   bool may_act(const Contact& contact, const Cluster& start, const SpeculativeContacts& speculative) const;
 
+  Aabb box_of(const State& state, int body) const;
+
   const Model& model_;
   const Environment& environment_;
   double tolerance_;  ///< Of contacts [m].
@@ -82,6 +86,7 @@ class StepContacts {
   /// The contacts there of pairs within margins that were asked for.
   std::map<std::pair<Pair, double>, std::vector<Contact>> known_;
   std::vector<double> thickness_;  ///< One per body [m].
+  std::vector<bool> is_here_;      ///< Of each body.
   std::vector<double> width_;      ///< The smallest of the shapes of each body [m].
 };
 

@@ -39,16 +39,26 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
       joints_(*model_, assembler_),
       impulses_(*model_, environment_, assembler_, resolver_, joints_, last_forces_, method),
       contacts_(*model_, environment_, method),
-      executor_(threads) {
+      executor_(threads),
+      is_here_(at(model_->body_count()), true),
+      work_of_bodies_(at(model_->body_count())) {
+  lift_ = lift_of_bodies();
+}
+
+/// Of those that this stepper moves.
+double TimeStepper::lift_of_bodies() const {
+  double lift = 0;
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
-    if (body.motion == MotionType::dynamic)
-      lift_ += body.mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
+    if (is_here_[at(i)] && body.motion == MotionType::dynamic)
+      lift += body.mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
   }
+  return lift;
 }
 
 void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   last_forces_.remember(forces_in(state));
+  if (is_one_of_several_) return;  // Whoever moves all has seen to it.
   if (state.t == 0) admit_overlaps(state);
   admit_velocities(state);
 }
@@ -56,7 +66,10 @@ void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
 double TimeStepper::step_towards(double t_end, double t, State& state) {
   const double left = t_end - t;
   double h = 0;
+  group_count_ = 1;
+  watched_groups_.clear();
   try {
+    if (!is_one_of_several_ && step_in_groups(t_end, state)) return state.t;
     h = take_step(left, state);
   } catch (const TooMuchWork&) {
     report_.step_work += work_of_step();
@@ -79,7 +92,7 @@ Cluster TimeStepper::cluster_in(const State& state) const {
   cluster.bodies.reserve(at(model_->body_count()));
   cluster.phases.reserve(at(model_->body_count()));
   for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).motion != MotionType::dynamic) continue;
+    if (!is_here_[at(i)] || model_->body(i).motion != MotionType::dynamic) continue;
     cluster.bodies.push_back(i);
     cluster.phases.push_back(
         {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
@@ -109,6 +122,8 @@ double TimeStepper::take_step(double h, State& state) {
   ways_.clear();
   try_work_ = 0;
   contacts_.begin_step(state);
+  assembler_.forget_factors();
+  impulses_.forget_factors();
   SpeculativeContacts speculative{h, std::vector<double>(at(model_->body_count()), 0.0)};
   const Cluster start = cluster_in(state);
   grow_reaches(*model_, environment_, h, start.bodies, start.phases, speculative.reaches);
@@ -116,7 +131,7 @@ double TimeStepper::take_step(double h, State& state) {
   foresee(state, start, speculative);
 
   // Trials, each half as long, until one adds no energy.
-  const Energy before = mechanical_energy(*model_, environment_, state);
+  const Energy before = energy_in(state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
     // The first of them finds out by rough tries which contacts there are.
@@ -139,7 +154,9 @@ double TimeStepper::take_step(double h, State& state) {
   note_lasting(start, *trial);
   report_.add(trial->report);
   report_.step_work += work_of_step();
+  const State begin = is_one_of_several_ ? state : State();
   write(trial->end, state);
+  if (is_one_of_several_) extend_ranges(trial->reaches, begin, state);
   touching_ = std::move(trial->touching_after);
   forces_ = std::move(trial->forces);
   last_forces_.remember(forces_);
@@ -153,7 +170,7 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
   const auto with_gain = [&](Trial trial) {
     State end = state;
     write(trial.end, end);
-    const Energy energy = mechanical_energy(*model_, environment_, end);
+    const Energy energy = energy_in(end);
     const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic +
                          std::abs(before.potential) + before.elastic + before.kinetic;
     trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
+#include "rigor/sim/islands/advance_apart.hpp"
 #include "rigor/sim/time_stepping/impact_memory.hpp"
 #include "rigor/sim/time_stepping/impulse_step.hpp"
 #include "rigor/sim/time_stepping/part_memory.hpp"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,8 +29,8 @@ struct Energy;
 /// nothing tunnels. docs/theory/time_stepping.md.
 class TimeStepper : public FixedStepStepper {
  public:
-  /// target_step H > 0 [s]: the longest step. threads >= 1: on which parts that do not touch each other are
-  /// moved side by side; the answer does not depend on it.
+  /// target_step H > 0 [s]: the longest step. threads >= 1: on which groups that do not come near each other,
+  /// and parts that do not touch each other, are moved side by side; the answer does not depend on it.
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads = 1);
   TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
@@ -41,6 +43,8 @@ class TimeStepper : public FixedStepStepper {
   void set_work_limit(double operations) { work_limit_ = operations; }
   /// Whether the last call ended for that reason.
   bool is_beyond_work_limit() const { return report_.step_work > work_limit_; }
+  /// Into how many groups the last step was divided; 1 if it was not.
+  std::size_t group_count() const { return group_count_; }
 
  private:
   using Pair = SpeculativeContacts::Pair;
@@ -66,11 +70,27 @@ class TimeStepper : public FixedStepStepper {
     bool is_new = false;  ///< Whether more is foreseen than before.
     double until;         ///< How long the step can be at most [s].
   };
+  /// What a group has at the end of a step.
+  struct EndOfGroup {
+    std::vector<Contact> touching;
+    std::vector<ContactForce> forces;
+  };
+  std::span<const int> watched_groups() const override { return watched_groups_; }
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;
   void end_span(double t, State& state) override;
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
+  // Groups of bodies that do not come near each other in a step: time_stepper_groups.cpp.
+  bool step_in_groups(double t_end, State& state);
+  std::vector<BodyGroup> groups_of(const State& state, double t_end) const;
+  BodyRanges ranges_ahead(const State& state, double t_end) const;
+  std::unique_ptr<TimeStepper> take_helper();
+  void move_only(const BodyGroup& bodies);
+  void move_group(double t_end, ApartGroup& group);
+  void extend_ranges(const std::vector<double>& reaches, const State& begin, const State& end);
+  Energy energy_in(const State& state) const;
+  double lift_of_bodies() const;
   double work_of_step() const { return static_cast<double>(moved_.work() + try_work_); }
   void take_gain(Trial& trial) const;
   void foresee(const State& state, const Cluster& start, SpeculativeContacts& speculative);
@@ -118,6 +138,14 @@ class TimeStepper : public FixedStepStepper {
   std::uint64_t try_work_ = 0;  ///< Operations of the tries of one step, without those of their parts.
   double work_limit_ = std::numeric_limits<double>::infinity();
   double lift_ = 0;  ///< Energy that lifts all bodies by the length of the scene [J].
+  // Groups.
+  std::vector<bool> is_here_;       ///< Of each body: whether this stepper moves it.
+  bool is_one_of_several_ = false;  ///< It moves a group, and others other bodies.
+  std::vector<Aabb> ranges_;        ///< Where each of its bodies may have been in this span.
+  std::vector<std::unique_ptr<TimeStepper>> helpers_;  ///< Those that move no group at the moment.
+  std::vector<double> work_of_bodies_;                 ///< In the last step.
+  std::size_t group_count_ = 1;
+  std::vector<int> watched_groups_;  ///< Of each body, in the last step; empty if it was not divided.
 };
 
 }  // namespace rigor

@@ -104,7 +104,12 @@ void PassageWitness::remember(const State& state) {
   before_.x = state.x, before_.q = state.q, before_.P = state.P, before_.L = state.L;
 }
 
-void PassageWitness::watch(const State& after, AdvanceReport& report) {
+bool PassageWitness::is_watched(int a, int b, std::span<const int> groups) const {
+  if (!is_here_.empty() && !(is_here_[at(a)] && is_here_[at(b)])) return false;
+  return groups.empty() || (groups[at(a)] >= 0 && groups[at(b)] >= 0 && groups[at(a)] != groups[at(b)]);
+}
+
+void PassageWitness::watch(const State& after, AdvanceReport& report, std::span<const int> groups) {
   if (!follows_anything_) return;
   // What is not finite stops the run by itself.
   if (!(after.t > before_.t) || !are_finite(after.x) || !are_finite(after.q) || !are_finite(after.P) ||
@@ -121,6 +126,7 @@ void PassageWitness::watch(const State& after, AdvanceReport& report) {
   // In the order of the bodies whose markers are followed.
   std::vector<std::pair<int, int>> ordered;
   for (const WatchedPairs::Pair& pair : pairs_->meeting(before_, after, moves_->between(before_, after))) {
+    if (!is_watched(pair.a, pair.b, groups)) continue;
     if (!marked_[at(pair.a)]->markers.empty()) ordered.emplace_back(pair.a, pair.b);
     if (!marked_[at(pair.b)]->markers.empty()) ordered.emplace_back(pair.b, pair.a);
   }

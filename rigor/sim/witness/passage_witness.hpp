@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -28,11 +29,15 @@ class PassageWitness {
   /// nothing is found.
   void watch(std::span<const BodyPath> paths, AdvanceReport& report);
 
+  /// From now on steps of these bodies alone are watched, one against another; the others are moved
+  /// elsewhere.
+  void watch_only(std::vector<bool> is_here) { is_here_ = std::move(is_here); }
   /// Steps that are watched begin at this State.
   void begin(const State& state);
   /// Enters what was found in the step that leads here from where the last one ended, along the ways of
-  /// step_path(). Only pairs that WatchedPairs cannot rule out are followed.
-  void watch(const State& after, AdvanceReport& report);
+  /// step_path(). Only pairs that WatchedPairs cannot rule out are followed. Pairs of one of these groups (of
+  /// each body; -1: of all) have been watched already.
+  void watch(const State& after, AdvanceReport& report, std::span<const int> groups = {});
 
  private:
   /// A shape of a body.
@@ -41,6 +46,7 @@ class PassageWitness {
   };
   void watch_boxes(std::span<const BodyPath> paths);
   void remember(const State& state);
+  bool is_watched(int a, int b, std::span<const int> groups) const;
   template <class Paths>
   void enter(int body, const Solid& solid, const Paths& path_of, AdvanceReport& report) const;
   std::optional<double> entry_of(int a, const Solid& solid, const BodyPath& of_a, const BodyPath& of_b) const;
@@ -55,6 +61,7 @@ class PassageWitness {
   AabbTree tree_;                   ///< Of solid_boxes_.
   long watches_ = 0;
   // Of steps:
+  std::vector<bool> is_here_;                 ///< By body; empty: all are.
   State before_;                              ///< Where the last step ended: t, x, q, P and L.
   std::unique_ptr<Environment> environment_;  ///< This and the next are made at the first step.
   std::optional<StepMoves> moves_;

@@ -37,6 +37,8 @@ class ConstrainedMass {
   /// left out and all others count, as far as rounding can tell them apart. What is factored already is not
   /// factored again: many questions are asked about one configuration.
   void factor(std::span<const Mat6> masses, std::span<const Mat6> rows, const RowChoice* choice = nullptr);
+  /// The next configuration is factored, also if it is the last one.
+  void forget() { is_factored_ = false; }
   const RowChoice& choice() const { return choice_; }
 
   struct Solution {

@@ -77,6 +77,34 @@ TEST(PassageWitness, TakesSheets) {
   }
 }
 
+/// Two balls go through each other in a step.
+TEST(PassageWitness, OfGroupsThatAreWatchedAlreadyItSeesThatTheyPassEachOther) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_material({"m", 1000, 0, 0});
+  builder.add_body(test::stepping_body("left", Sphere{0.1}, Vec3(-1, 0, 0)));
+  builder.add_body(test::stepping_body("right", Sphere{0.1}, Vec3(1, 0, 0)));
+  const std::shared_ptr<const Model> model = builder.build();
+  const auto passages = [&](const std::vector<int>& groups, const std::vector<bool>& is_here) {
+    State state = make_initial_state(*model);
+    PassageWitness witness(model);
+    witness.watch_only(is_here);
+    witness.begin(state);
+    for (const int i : {0, 1})
+      state.set_body(i, -state.position(i), Quat::Identity(), Vec3::Zero(), Vec3::Zero());
+    state.t = 1;
+    AdvanceReport report;
+    witness.watch(state, report, groups);
+    return report.passages.instants;
+  };
+  EXPECT_EQ(passages({}, {}), 2);
+  EXPECT_EQ(passages({0, 1}, {}), 2);
+  EXPECT_EQ(passages({0, 0}, {}), 0);
+  EXPECT_EQ(passages({-1, 0}, {}), 0);
+  EXPECT_EQ(passages({}, {true, true}), 2);
+  EXPECT_EQ(passages({}, {true, false}), 0);
+}
+
 TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
   const auto model = pair_of(Box{Vec3(1, 0.05, 0.001)}, Sphere{0.02});
   const StraightPath spinning{Vec3::Zero(), Vec3::Zero(), Quat::Identity(), Vec3(0, 60, 0)};
