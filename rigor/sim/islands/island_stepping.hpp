@@ -47,6 +47,7 @@ class IslandStepping {
  private:
   int crowding_of(const std::vector<int>& bodies) const;
   void note_pace(const Island& island, double longest, const IslandStep& step);
+  bool is_asked_within(const Island& island) const;
   double rotation_over(const Island& island, const IslandStep& step) const;
   void take_accurate_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
   void take_implicit_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
@@ -56,9 +57,10 @@ class IslandStepping {
   const IslandIntegrator& integrator_;
   ModeChangeSearch mode_changes_;
   double time_tolerance_, contact_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;
-  double hopeless_error_;      ///< Of a step, relative to the tolerance: half of its digits are lost.
-  std::vector<int> crowding_;  ///< Of each body: short steps in a row.
-  std::vector<long> useless_;  ///< Of each body: parts of a step in a row that are too short to be of use.
+  double hopeless_error_;       ///< Of a step, relative to the tolerance: half of its digits are lost.
+  std::vector<int> crowding_;   ///< Of each body: short steps in a row.
+  std::vector<long> useless_;   ///< Of each body: parts of a step in a row that are too short to be of use.
+  std::vector<bool> collides_;  ///< Of each body: whether it may touch any other.
   std::vector<double> step_size_;  ///< Of each body: what the error of its last step suggests [s].
 };
 

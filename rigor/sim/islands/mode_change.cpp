@@ -226,11 +226,15 @@ std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, c
   return overlap ? overlap : limit;
 }
 
+bool ModeChangeSearch::may_find(const Island& island) const {
+  return !island.contacts.empty() || has_limits(model_, assembler_.joints_of(island.bodies));
+}
+
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
   // A motion that is not finite has no modes: the stepper stops where it begins.
   if (!step.is_finite()) return first;
-  if (island.contacts.empty() && !has_limits(model_, assembler_.joints_of(island.bodies))) return first;
+  if (!may_find(island)) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
   const auto shorten = [&](ModeChange::Kind kind, double theta) {

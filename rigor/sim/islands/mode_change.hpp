@@ -28,6 +28,8 @@ class ModeChangeSearch {
   ModeChangeSearch(const Model& model, const ContactSystemAssembler& assembler, const Method& method);
 
   std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
+  /// Whether anything can end a step of the island early, so that its dense output is asked for.
+  bool may_find(const Island& island) const;
   /// The first time at which further points of the bodies in contact meet or a joint meets a limit, and
   /// nothing else.
   std::optional<ModeChange> find_meeting(const Island& island, const IslandStep& step) const;
