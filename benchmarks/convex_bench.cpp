@@ -1,9 +1,10 @@
 // Convex pairs: errors and times of signed_distance in four regimes, beside FCL, libccd and Bullet where
 // installed.
 //
-//   rigor_convex_bench [--quick] [--rigor]
+//   rigor_convex_bench [--quick] [--rigor] [--coaxial]
 //
-// --quick takes every tenth query and three passes; --rigor leaves the peers out.
+// --quick takes every tenth query and three passes; --rigor leaves the peers out; --coaxial prints the last
+// table alone.
 
 #include "convex_bench.hpp"
 #include "rigor/geometry/distance/distance.hpp"
@@ -240,6 +241,7 @@ void run_bench(const Plan& plan) {
     std::fflush(stdout);
   }
   print_pairs(queries, columns, engines);
+  print_coaxial();
 }
 
 }  // namespace
@@ -263,8 +265,11 @@ int main(int argc, char** argv) {
       plan.passes = 3;
     } else if (option == "--rigor") {
       plan.has_peers = false;
+    } else if (option == "--coaxial") {
+      rigor::bench::print_coaxial();
+      return 0;
     } else {
-      fmt::print(stderr, "usage: rigor_convex_bench [--quick] [--rigor]\n");
+      fmt::print(stderr, "usage: rigor_convex_bench [--quick] [--rigor] [--coaxial]\n");
       return 2;
     }
   }

@@ -73,6 +73,9 @@ struct ConvexEngine {
   std::function<std::optional<EngineAnswer>(const ConvexQuery&)> solve;
 };
 
+/// Prints times and bounds of solids of revolution with parallel and nearly parallel axes.
+void print_coaxial();
+
 ConvexEngine rigor_engine(const std::vector<Shape>& shapes);
 #ifdef RIGOR_BENCH_FCL
 ConvexEngine fcl_engine(const std::vector<Shape>& shapes);

@@ -10,6 +10,7 @@
 #include "rigor/geometry/convex/point_separation.hpp"
 #include "rigor/geometry/convex/polytope_penetration.hpp"
 #include "rigor/geometry/convex/separation.hpp"
+#include "rigor/geometry/convex/tilted_penetration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,8 @@ CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDi
     return {proved->best, proved->upper};
   if (const std::optional<Penetration> parallel = find_parallel_penetration(pair, gjk.n))
     return {parallel->best, parallel->upper};
+  if (const std::optional<Penetration> tilted = find_tilted_penetration(pair))
+    return {tilted->best, tilted->upper};
   if (gjk.nearest.count == 4) {
     // With the origin inside the simplex, its points are no witnesses, and the depth is at least zero.
     found.best.value = -std::numeric_limits<double>::infinity();

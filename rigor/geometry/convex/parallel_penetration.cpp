@@ -1,6 +1,7 @@
 #include "rigor/geometry/convex/parallel_penetration.hpp"
 
 #include "rigor/geometry/convex/level_face.hpp"
+#include "rigor/geometry/convex/revolution_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,43 +14,8 @@ namespace {
 /// shapes.
 constexpr double kAxesGap = 1e-6;
 
-/// A point of a profile, and of a direction: away from the axis and along it.
-struct ProfilePoint {
-  double radial, axial;
-};
-
-double dot(const ProfilePoint& x, const ProfilePoint& y) {
-  return x.radial * y.radial + x.axial * y.axial;
-}
-
-bool has_profile(const ConvexCore& core) {
-  return core.kind == ConvexCore::Kind::rings || core.kind == ConvexCore::Kind::segment;
-}
-
-/// The rings of a core along its axis, or against it if `sign` is -1.
-std::vector<ProfilePoint> profile(const ConvexCore& core, double sign) {
-  if (core.kind == ConvexCore::Kind::segment) return {{0, -sign * core.size.z()}, {0, sign * core.size.z()}};
-  std::vector<ProfilePoint> points;
-  for (int i = 0; i < ring_count(core); ++i) {
-    const Ring ring = ring_of(core, i);
-    points.push_back({ring.radius, sign * ring.z});
-  }
-  return points;
-}
-
 double support(const std::vector<ProfilePoint>& points, const ProfilePoint& m) {
-  double highest = dot(points.front(), m);
-  for (const ProfilePoint& p : points) highest = std::max(highest, dot(p, m));
-  return highest;
-}
-
-/// Unit directions square to the sides of a profile, away from the axis.
-void add_side_normals(const std::vector<ProfilePoint>& points, std::vector<ProfilePoint>& normals) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const double along = points[i + 1].axial - points[i].axial, out = points[i + 1].radial - points[i].radial;
-    const double length = std::copysign(std::hypot(along, out), along);
-    if (length != 0) normals.push_back({along / length, -out / length});
-  }
+  return dot(support_point(points, m), m);
 }
 
 }  // namespace
