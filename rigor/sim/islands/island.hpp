@@ -29,8 +29,9 @@ struct IslandStep {
   std::vector<DensePhase> dense;
   double error = 0;  ///< Embedded estimate relative to the tolerance; NaN if the method has none.
   double quaternion_drift = 0;
-  WorkDone work;                        ///< [J].
-  Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
+  VecX end_forces;              ///< λ (3n) at its end, where the method's last stage is there; or none.
+  WorkDone work;                ///< [J].
+  Vec3 impulse = Vec3::Zero();  ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
   double unpaid = 0;                    ///< Energy gained that its motion cannot give back [J].
   bool is_implicit = false;             ///< Of first order: contacts answered with impulses.

@@ -52,6 +52,7 @@ struct IslandIntegrator::Load {
   std::vector<Wrench> wrenches;
   Wrench external;
   WorkDone power;
+  VecX lambda;  ///< Of the contacts.
 };
 
 IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment,
@@ -127,6 +128,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
   load.external.f_W += external.f_W;
   load.external.tau_W += external.tau_W;
   for (const int body : island.bodies) load.wrenches.push_back(wrenches[place_of(system.bodies, body)]);
+  load.lambda = std::move(lambda);
   return load;
 }
 
@@ -161,10 +163,12 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
 }
 
 IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff) const {
-  return step_of(is_stiff ? StepKind::stiff : StepKind::with_path, island, h);
+  std::optional<Load> first;
+  return step_of(is_stiff ? StepKind::stiff : StepKind::with_path, island, h, first);
 }
 
-IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double h) const {
+IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double h,
+                                     std::optional<Load>& first) const {
   // The bodies of the island.
   const std::size_t count = island.bodies.size();
   std::vector<BodyInertia> inertias;
@@ -181,14 +185,21 @@ IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double
   // The contact forces are solved for at every stage; one at the end of the step is still on the legs of
   // paths that end there.
   const double last = just_before(island.begin + h);
+  // Explicit methods begin with the stage where the step begins.
+  const bool is_stiff = kind == StepKind::stiff;
+  const IntegratorName name = is_stiff ? IntegratorName::rodas : integrator_for(island);
+  const bool is_controlled = name == IntegratorName::dopri5 || name == IntegratorName::dop853;
+  VecX lambda;
+  bool is_begin = is_controlled;
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
-    const Load now = load(island, std::min(t, last), phases.first(count));
+    Load now = is_begin && first ? *first : load(island, std::min(t, last), phases.first(count));
+    if (is_begin && !first) first = now;
+    is_begin = false;
     std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
     wrenches[count] = now.external;
     wrenches[count + 1] = {now.power.supplied * Vec3::UnitX(), Vec3(now.power.motors, now.power.friction, 0)};
+    lambda = std::move(now.lambda);
   };
-  const bool is_stiff = kind == StepKind::stiff;
-  const IntegratorName name = is_stiff ? IntegratorName::rodas : integrator_for(island);
   const auto integrate = kind == StepKind::end_only ? integrate_end_of_step : integrate_step;
   SystemStep taken = integrate(name, is_stiff ? OrientationForm::quaternion : orientation_, inertias, start,
                                island.begin, h, field, tolerances(island));
@@ -196,6 +207,8 @@ IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double
   // The step of the bodies, and the ledger.
   IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
   result.is_stiff = is_stiff;
+  // The last stage of dopri5 is the end.
+  if (name == IntegratorName::dopri5) result.end_forces = std::move(lambda);
   result.impulse = taken.end[count].P;
   result.angular_impulse = taken.end[count].L;
   const BodyPhase& work = taken.end[count + 1];
@@ -249,8 +262,10 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
     return environment_.stiff_rate(body) * useful >= share_of_rate;
   });
   StepController controller(integrator_order(integrator_for(island)));
+  std::optional<Load> first;
   while (true) {
-    IslandStep taken = step_of(bounds.needs_path ? StepKind::with_path : StepKind::end_only, island, h);
+    IslandStep taken =
+        step_of(bounds.needs_path ? StepKind::with_path : StepKind::end_only, island, h, first);
     // A step that overflows is too long, whatever estimate of its error there is.
     const bool is_finite = taken.is_finite();
     if (is_finite && taken.error <= 1) taken.error = std::max(taken.error, energy_error(island, taken));

@@ -5,6 +5,7 @@
 #include "rigor/sim/islands/island.hpp"
 #include "rigor/sim/method/method.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -72,7 +73,8 @@ class IslandIntegrator {
   bool close_stiff_step(const Island& island, IslandStep& step) const;
   IntegratorTolerances tolerances(const Island& island) const;
   enum class StepKind { with_path, end_only, stiff };
-  IslandStep step_of(StepKind kind, const Island& island, double h) const;
+  /// `first`: the load where the step begins, which is found once for all its tries.
+  IslandStep step_of(StepKind kind, const Island& island, double h, std::optional<Load>& first) const;
 
   const Model& model_;
   const Environment& environment_;

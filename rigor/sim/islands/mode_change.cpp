@@ -135,14 +135,15 @@ double ModeChangeSearch::reversed_slip(const Island& island, const IslandStep& s
   return fastest;
 }
 
+double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
+  return margin_of(island, contact_forces(instant.system, island.states, wrenches(island, instant),
+                                          direction_tolerance_, resting_));
+}
+
 /// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a
 /// little below zero is allowed for rounding.
-double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
+double ModeChangeSearch::margin_of(const Island& island, const VecX& lambda) const {
   constexpr double rounding = 1e-10;
-
-  // The contact forces there, relative to the largest.
-  const VecX lambda = contact_forces(instant.system, island.states, wrenches(island, instant),
-                                     direction_tolerance_, resting_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
 
@@ -258,7 +259,10 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
   }
 
   // Forces last: probes at the middle and at the end, then the root between.
-  const Remembered<double> force([&](double theta) { return force_margin(island, at(island, step, theta)); });
+  const Remembered<double> force([&](double theta) {
+    if (theta == 1 && step.end_forces.size() > 0) return margin_of(island, step.end_forces);
+    return force_margin(island, at(island, step, theta));
+  });
   const Remembered<double> signature(
       [&](double theta) { return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0; });
   for (const double probe : {0.5 * end, end}) {

@@ -49,6 +49,7 @@ class ModeChangeSearch {
   std::optional<ModeChange> find_slip_end(const Island& island, const IslandStep& step, double end) const;
   std::vector<double> slip_speeds(const Island& island, const IslandStep& step, double theta) const;
   double force_margin(const Island& island, const Instant& instant) const;
+  double margin_of(const Island& island, const VecX& lambda) const;
   /// How far each limit that is no contact is away at a place of the step.
   std::vector<double> clearances(const Island& island, const IslandStep& step, double theta) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
