@@ -159,7 +159,10 @@ Vec3 lowest_on_circle(const CorePair& pair, const Vec3& axis, const Vec3& m) {
   double lowest = std::numeric_limits<double>::infinity(), near = 0;
   for (int k = 0; k < samples; ++k) {
     const Vec3 there = at_angle(apart * k);
-    if (const double h = point(there).dot(there); h < lowest) lowest = h, near = apart * k;
+    if (const double h = point(there).dot(there); h < lowest) {
+      lowest = h;
+      near = apart * k;
+    }
   }
   const auto slope = [&](double angle) {
     const Vec3 there = at_angle(angle);
@@ -200,6 +203,7 @@ std::optional<Penetration> find_tilted_penetration(const CorePair& pair) {
     double phi, half;
   };
   std::vector<Part> parts;
+  parts.reserve(4 * first_parts);
   for (int k = 0; k < first_parts; ++k) parts.push_back({2 * kPi * k / first_parts, kPi / first_parts});
   double lowest = std::numeric_limits<double>::infinity();
   for (int count = 0; !parts.empty(); ++count) {
