@@ -136,10 +136,10 @@ double TimeStepper::take_step(double h, State& state) {
   for (int k = 0; k <= most_halvings; ++k) {
     // The first of them finds out by rough tries which contacts there are.
     trial = try_calmly(before, state, k == 0 ? StepAccuracy::rough : StepAccuracy::exact, speculative);
-    if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
+    if (trial->gain <= tolerable * (before.kinetic + lift_)) break;
     speculative.shorten(0.5 * trial->h);
   }
-  if (trial->gain > 0 && trial->report.impact_gain == 0) take_gain(*trial);
+  if (trial->gain > 0) take_gain(*trial);
 
   // A body whose state is not finite ends the run.
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
@@ -173,13 +173,15 @@ TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& st
     const Energy energy = energy_in(end);
     const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic +
                          std::abs(before.potential) + before.elastic + before.kinetic;
-    trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;
+    // What a law of impacts adds is its own; an elastic one adds a rounding.
+    trial.gain =
+        energy.total() - before.total() - trial.report.work - trial.report.impact_gain - rounding * scale;
     return trial;
   };
 
   // The form of second order, if it adds no energy; else the one that adds least.
   Trial trial = with_gain(try_step(0.5, state, accuracy, speculative));
-  if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
+  if (trial.gain <= negligible * (before.kinetic + lift_)) return trial;
   Trial safe = with_gain(try_step(1, state, StepAccuracy::exact, speculative));
   // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;

@@ -61,9 +61,9 @@ class TimeStepper : public FixedStepStepper {
     std::vector<Contact> touching_after = {};         ///< Within the contact tolerance.
     std::vector<ContactForce> forces = {};            ///< All through the step.
     std::map<int, double> first_meetings = {};  ///< When bodies first meet others from afar [s], by body.
-    double gain = 0;                            ///< Energy gained beyond work and rounding [J].
-    std::vector<Cluster> parts = {};            ///< As they were moved, at the beginning.
-    std::vector<const MovedPart*> moved = {};   ///< Of each part; valid as long as the step is tried.
+    double gain = 0;                  ///< Energy gained beyond work, what impacts add, and rounding [J].
+    std::vector<Cluster> parts = {};  ///< As they were moved, at the beginning.
+    std::vector<const MovedPart*> moved = {};  ///< Of each part; valid as long as the step is tried.
   };
   /// What a try says of the next one.
   struct NextTry {

@@ -137,6 +137,7 @@ struct Throw {
   double radius;  ///< Of a ball about the body [m].
   double speed;   ///< To twice of it [m/s].
   double restitution;
+  double friction = 0.3;
 };
 
 /// A body that is thrown at a plate of 2 mm, run with its audit.
@@ -145,7 +146,7 @@ RunResult thrown_at_plate(const Shape& shape, const Method& method, const Throw&
   const double step = seed % 2 == 0 ? 1.0 / 60 : 0.01, speed = thrown.speed * random.uniform(1, 2);
   ModelBuilder builder;
   builder.set_gravity(Vec3(0, 0, -9.81));
-  builder.add_material({"m", 2000, 0.3, thrown.restitution});
+  builder.add_material({"m", 2000, thrown.friction, thrown.restitution});
   const double width = 2 * speed * 5 * step + 1;
   BodyDescription fixed = test::stepping_body("plate", Box{Vec3(width, width, plate)}, Vec3::Zero());
   fixed.motion = MotionType::fixed;
@@ -183,6 +184,21 @@ TEST(MeshesAtPlates, PassNothingAndGainNothingByTimeStepping) {
         seed % 3 == 0 ? make_prism(angle, a) : make_box_mesh(Vec3::Constant(-a), Vec3::Constant(a));
     const Shape shape = make_mesh(std::make_shared<const TriangleMesh>(triangulated(solid)));
     expect_above_plate(thrown_at_plate(shape, method, {2 * a, 60, seed % 2 == 0 ? 0.5 : 0}, seed), seed);
+  }
+}
+
+// Elastic impacts add a rounding of energy. What the corrections of a fast spinning body added in the same
+// step (0.75 J of 250 J) was taken for the law of impacts, and stayed.
+TEST(MeshesAtPlates, GainNothingWhereImpactsAreElastic) {
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  for (unsigned seed = 51; seed <= 100; ++seed) {
+    test::Random random(seed);
+    const double a = random.uniform(0.001, 0.006), b = random.uniform(0.001, 0.006);
+    const std::vector<Vec2> angle = {{-a, -b}, {a, -b}, {a, 0}, {0, 0}, {0, b}, {-a, b}};
+    const Shape shape = make_mesh(
+        std::make_shared<const TriangleMesh>(triangulated(make_prism(angle, random.uniform(0.001, 0.006)))));
+    expect_above_plate(thrown_at_plate(shape, method, {0.01, 1000, 1, 0}, seed), seed);
   }
 }
 
