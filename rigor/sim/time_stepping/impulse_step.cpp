@@ -266,10 +266,11 @@ void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, 
   }
 }
 
-/// Velocities of the bodies in the middle of the step: the mean of those at its beginning and those that the
-/// impulses leave at its end.
-std::vector<Vec6> ImpulseStep::middle_velocities(const Cluster& part, const ContactSystem& system,
-                                                 const std::vector<Wrench>& impulses) const {
+/// Velocities along which the bodies are displaced: between those at the beginning of the step and those that
+/// the impulses leave at its end, by θ. What motors and friction do is done along these.
+std::vector<Vec6> ImpulseStep::mean_velocities_of_step(double theta, const Cluster& part,
+                                                       const ContactSystem& system,
+                                                       const std::vector<Wrench>& impulses) const {
   std::vector<Vec6> result = velocities_of(system);
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
@@ -279,16 +280,16 @@ std::vector<Vec6> ImpulseStep::middle_velocities(const Cluster& part, const Cont
     Vec6 at_begin, gained;
     at_begin << begin.P / body.mass, angular_velocity({body.mass, body.moments}, begin.q, begin.L);
     gained << kinetics.inverse_mass * impulses[local].f_W, kinetics.inverse_inertia * impulses[local].tau_W;
-    result[local] = 0.5 * (at_begin + result[local] + gained);
+    result[local] = (1 - theta) * at_begin + theta * (result[local] + gained);
   }
   return result;
 }
 
 /// The impulses of contacts, springs and joints on the bodies of the system; those from outside are booked in
 /// `end`.
-std::vector<Wrench> ImpulseStep::enter_impulses(const Cluster& part, const ContactSystem& system,
-                                                const StepImpulses& solution, const SpringRows& springs,
-                                                FreeEnd& end) const {
+std::vector<Wrench> ImpulseStep::enter_impulses(double theta, const Cluster& part,
+                                                const ContactSystem& system, const StepImpulses& solution,
+                                                const SpringRows& springs, FreeEnd& end) const {
   std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
   add_moments(system, solution.moments, impulses, end);
   const OutsideImpulse of_springs = add_spring_impulses(springs, solution.springs, system, impulses);
@@ -307,7 +308,8 @@ std::vector<Wrench> ImpulseStep::enter_impulses(const Cluster& part, const Conta
   const Wrench of_contacts = external_wrench(system, solution.lambda, joint_lambda);
   end.impulse += of_contacts.f_W + of_springs.impulse.f_W;
   end.angular_impulse += of_contacts.tau_W + of_springs.impulse.tau_W;
-  end.work += work_of_contacts(system, solution.lambda, middle_velocities(part, system, impulses));
+  end.work +=
+      work_of_contacts(system, solution.lambda, mean_velocities_of_step(theta, part, system, impulses));
   end.work.supplied += of_springs.work;
   return impulses;
 }
@@ -381,7 +383,7 @@ PartForces ImpulseStep::move(double h, double theta, StepAccuracy wanted, Cluste
     note_force_uncertainty(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
     const FreeEnd free = end;
-    push(span, part, system, enter_impulses(part, system, solution, springs, end), end);
+    push(span, part, system, enter_impulses(theta, part, system, solution, springs, end), end);
     const ContactSystemAssembler& assembler = has_springs ? assembler_without_springs_ : assembler_;
     end.work.supplied += supply_of_push(assembler, span, part.bodies, free, end);
   }

@@ -61,9 +61,9 @@ class ImpulseStep {
   StepLaws step_laws(double h, const Cluster& part, const ContactSystem& system) const;
   static void add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
                           FreeEnd& end);
-  std::vector<Vec6> middle_velocities(const Cluster& part, const ContactSystem& system,
-                                      const std::vector<Wrench>& impulses) const;
-  std::vector<Wrench> enter_impulses(const Cluster& part, const ContactSystem& system,
+  std::vector<Vec6> mean_velocities_of_step(double theta, const Cluster& part, const ContactSystem& system,
+                                            const std::vector<Wrench>& impulses) const;
+  std::vector<Wrench> enter_impulses(double theta, const Cluster& part, const ContactSystem& system,
                                      const StepImpulses& solution, const SpringRows& springs,
                                      FreeEnd& end) const;
   static double supply_of_push(const ContactSystemAssembler& assembler, const StepSpan& span,
