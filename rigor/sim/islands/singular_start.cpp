@@ -35,6 +35,22 @@ struct Mechanism {
     return {model, joints, bodies, kinetics, {.choice = choice, .without_motors = true}};
   }
 
+  /// The velocities that the bodies have with these momenta where no joint holds them.
+  std::vector<Vec6> alone(const std::vector<Vec6>& momenta) const {
+    std::vector<Vec6> velocities(momenta.size());
+    for (std::size_t b = 0; b < kinetics.size(); ++b)
+      velocities[b] << kinetics[b].inverse_mass * momenta[b].head<3>(),
+          kinetics[b].inverse_inertia * momenta[b].tail<3>();
+    return velocities;
+  }
+
+  /// The product of momenta with the part of their velocities that is left [J].
+  static double twice_energy(const std::vector<Vec6>& momenta, const std::vector<Vec6>& velocities) {
+    double sum = 0;
+    for (std::size_t b = 0; b < momenta.size(); ++b) sum += momenta[b].dot(velocities[b]);
+    return sum;
+  }
+
   void move(const std::vector<Vec6>& velocities) {
     for (std::size_t b = 0; b < kinetics.size(); ++b) {
       if (kinetics[b].inverse_mass == 0) continue;
@@ -50,7 +66,13 @@ std::optional<int> contradiction(Mechanism mechanism, const std::vector<Vec6>& m
   constexpr double share = 1e-3;
   const JointSystem still = mechanism.equations(nullptr);
   const VecX none = VecX::Zero(still.biases().size());
-  mechanism.move(still.respond(momenta, none).a);
+  const std::vector<Vec6> allowed = still.respond(momenta, none).a;
+  // Where joints take all of it, as the hinges of a door take its weight, what is left is rounding.
+  constexpr double rounding = 1e-20;
+  if (!(mechanism.twice_energy(momenta, allowed) >
+        rounding * mechanism.twice_energy(momenta, mechanism.alone(momenta))))
+    return std::nullopt;
+  mechanism.move(allowed);
 
   // The accelerations with which they go on, by the rows that count: the others follow, or contradict.
   const JointSystem moving = mechanism.equations(&still.choice());
