@@ -74,9 +74,15 @@ void add_motion(const Audit& audit, std::string& text) {
            report.impacts, report.resting, report.separations, report.slip_to_stick, report.steps);
   add_line(text, "energy", "{:.9g} J at the start, {:.9g} J at the end", audit.initial.total(),
            audit.final.total());
-  add_line(text, "", "{:.9g} J work, {:.9g} J dissipated, {:.3g} J unexplained rise", report.work,
-           audit.dissipated, audit.max_increase);
-  add_line(text, "", "{}", energy_parts_text(audit));
+  if (audit.knows_work) {
+    add_line(text, "", "{:.9g} J work, {:.9g} J dissipated, {:.3g} J unexplained rise", report.work,
+             audit.dissipated, audit.max_increase);
+    add_line(text, "", "{}", energy_parts_text(audit));
+  } else {
+    add_line(
+        text, "", "{}",
+        "the work of motors, and of moved bodies on joints and springs, is not known to `solver: substep`");
+  }
   add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
            audit.linear_momentum_error, audit.angular_momentum_error);
   if (report.penetration_A >= 0 && report.penetration_B >= 0) {
@@ -167,9 +173,12 @@ void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
       audit.is_complete() ? std::string()
                           : fmt::format(" until t = {:.6g} s of {:.6g} s", audit.end_time, audit.duration);
   const Tone good = audit.is_complete() ? Tone::good : Tone::doubtful;
+  const char* const judged = audit.knows_work
+                                 ? "energy, momentum, joints and penetration are within their tolerances"
+                                 : "momentum, joints and penetration are within their tolerances; energy "
+                                   "is not judged";
   text += audit.violations.empty()
-              ? fmt::format("  {}: energy, momentum, joints and penetration are within their tolerances\n",
-                            toned("audit passed" + until, good, stream))
+              ? fmt::format("  {}: {}\n", toned("audit passed" + until, good, stream), judged)
               : fmt::format("  {}\n", toned("audit FAILED" + until, Tone::bad, stream));
   if (audit.report.reason == StopReason::reached_end) text += remedies_text(audit);
 }

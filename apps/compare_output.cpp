@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace rigor {
@@ -159,7 +160,7 @@ std::vector<std::string> csv_header(const Comparison& comparison) {
 }
 
 std::string exact(double value) {
-  return fmt::format("{:.17g}", value);
+  return std::isnan(value) ? std::string() : fmt::format("{:.17g}", value);
 }
 std::string exact(const std::optional<double>& value) {
   return value ? exact(*value) : "";

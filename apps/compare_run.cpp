@@ -230,6 +230,10 @@ ComparedRun CompareRunner::execute(const PlannedRun& planned) {
   run.audit.warnings.insert(run.audit.warnings.begin(), planned.start.warnings.begin(),
                             planned.start.warnings.end());
   run.relative_rise = relative_rise(run.audit, outcome.energy_scale);
+  // Without all of the work there is no balance to compare.
+  if (!run.audit.knows_work)
+    run.relative_rise = run.audit.dissipated = run.audit.max_increase =
+        std::numeric_limits<double>::quiet_NaN();
   run.difference = motion_.finish();
   if (measure) run.error = measure->error();
   if (page) {

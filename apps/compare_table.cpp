@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::size_t longest_value = 32, longest_body = 24;
 
 std::string number_cell(double value) {
-  return fmt::format("{:.3g}", value);
+  return std::isnan(value) ? "-" : fmt::format("{:.3g}", value);
 }
 std::string number_cell(long count) {
   return std::to_string(count);

@@ -78,6 +78,32 @@ TEST(RunCommand, AnAuditThatBreaksItsToleranceIsOne) {
   expect_contains(result.out, "unexplained rise of energy");
 }
 
+// Its motors raise the energy, and nobody has added up by how much: "0 J by motors" and an energy within its
+// tolerance would be false.
+TEST(RunCommand, WhereTheWorkIsNotKnownEnergyIsNotSaidToBeJudged) {
+  const ProgramFolder folder;
+  folder.write("mill.yaml",
+               "rigor: 1\nname: mill\nrun: {duration: 0.5, step: 0.01}\nbodies:\n"
+               "  - {name: wheel, mass: 1, shapes: [{type: cylinder, radius: 0.2, length: 0.1}]}\njoints:\n"
+               "  - {name: axle, type: hinge, bodies: [world, wheel], anchor: [0, 0, 0], axis: [0, 0, 1], "
+               "motor: {velocity: 20, max_force: 0.5}}\n");
+  for (const bool is_soft : {false, true}) {
+    std::vector<std::string> command = {"run",        "mill.yaml", "--json",
+                                        "audit.json", "--set",     "method.scheme=time-stepping"};
+    if (is_soft) command.insert(command.end(), {"--set", "method.solver=substep"});
+    const ProgramResult result = folder.run(command);
+    ASSERT_EQ(result.code, 0) << result.error;
+    const Json energy = Json::parse(folder.read("audit.json"))["energy"];
+    EXPECT_GT(energy["final"].get<double>(), energy["initial"].get<double>() + 0.1);
+    for (const char* key : {"work", "motor_work", "dissipated", "max_increase"})
+      EXPECT_EQ(energy[key].is_null(), is_soft) << key;
+    EXPECT_EQ(result.out.find("J by motors") == std::string::npos, is_soft) << result.out;
+    expect_contains(result.out, is_soft ? "audit passed: momentum, joints and penetration are within their "
+                                          "tolerances; energy is not judged"
+                                        : "audit passed: energy, momentum");
+  }
+}
+
 TEST(RunCommand, ASimulationThatCannotGoOnIsFourAndKeepsWhatItHas) {
   const ProgramFolder folder;
   // A piston presses a ball that lies on the floor.

@@ -113,6 +113,21 @@ Json bodies_json(const Audit& audit) {
   return json;
 }
 
+Json energy_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  // Without all of the work there is no balance.
+  const auto known = [&](double value) { return audit.knows_work ? Json(value) : Json(nullptr); };
+  return {{"initial", audit.initial.total()},
+          {"final", audit.final.total()},
+          {"work", known(report.work)},
+          {"motor_work", known(report.motor_work)},
+          {"dissipated", known(audit.dissipated)},
+          {"friction_loss", report.friction_loss},
+          {"impact_loss", report.impact_loss - report.impact_gain},
+          {"elastic", {audit.initial.elastic, audit.final.elastic}},
+          {"max_increase", known(audit.max_increase)}};
+}
+
 }  // namespace
 
 std::string audit_json(const Audit& audit) {
@@ -137,15 +152,7 @@ Json audit_tree(const Audit& audit) {
                     {"resting", report.resting},
                     {"separations", report.separations},
                     {"slip_to_stick", report.slip_to_stick}};
-  json["energy"] = {{"initial", audit.initial.total()},
-                    {"final", audit.final.total()},
-                    {"work", report.work},
-                    {"motor_work", report.motor_work},
-                    {"dissipated", audit.dissipated},
-                    {"friction_loss", report.friction_loss},
-                    {"impact_loss", report.impact_loss - report.impact_gain},
-                    {"elastic", {audit.initial.elastic, audit.final.elastic}},
-                    {"max_increase", audit.max_increase}};
+  json["energy"] = energy_json(audit);
   json["linear_momentum_error"] = audit.linear_momentum_error;
   json["angular_momentum_error"] = audit.angular_momentum_error;
   json["penetration"] = penetration_json(audit);

@@ -231,6 +231,7 @@ void Auditor::find_violations(Audit& audit) const {
           fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", quantity, value, unit, bound, unit));
     }
   };
+  audit.knows_work = promises.knows_work;
   if (promises.knows_work) {
     check(Audit::Promise::energy, "unexplained rise of energy", audit.max_increase,
           promises.energy_share * (energy_scale_ + promises.energy_floor) +

@@ -33,6 +33,7 @@ struct Audit {
   Energy final;                       ///< At the end [J].
   double dissipated = 0;              ///< E_initial + work - E_final [J].
   double max_increase = 0;            ///< Largest rise of E - work above an earlier value [J].
+  bool knows_work = true;             ///< Whether all work from outside is known; else energy is not judged.
   double linear_momentum_error = 0;   ///< |Σ (ΔP - external impulse)| [kg m/s].
   double angular_momentum_error = 0;  ///< The same about the origin of W [kg m²/s].
 
