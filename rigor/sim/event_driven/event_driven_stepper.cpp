@@ -25,7 +25,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       is_here_(at(model_->body_count()), true),
       environment_(*model_),
       assembler_(*model_, environment_),
-      integrator_(*model_, environment_, assembler_, method),
+      integrator_(*model_, environment_, assembler_, method, target_step),
       stepping_(*model_, assembler_, integrator_, method, target_step),
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),

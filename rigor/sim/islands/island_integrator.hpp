@@ -22,8 +22,9 @@ struct ControlledStep {
 class IslandIntegrator {
  public:
   /// Holds references to all but the method. The assembler is of the same model and environment.
+  /// target_step: of islands with contacts at most [s].
   IslandIntegrator(const Model& model, const Environment& environment,
-                   const ContactSystemAssembler& assembler, const Method& method);
+                   const ContactSystemAssembler& assembler, const Method& method, double target_step = 0);
 
   /// Chooses the rows of the island's redundant joints that count, where a step begins.
   void choose_joint_rows(Island& island) const;
@@ -80,6 +81,7 @@ class IslandIntegrator {
   const Environment& environment_;
   const ContactSystemAssembler& assembler_;
   IntegratorMethod integrator_;
+  double target_step_;
   OrientationForm orientation_;
   double tolerance_;
   double direction_tolerance_;
