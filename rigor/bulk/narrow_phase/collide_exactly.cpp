@@ -38,17 +38,52 @@ void add_contact(const ContactPoint& contact, NormalGroup& group) {
   group.candidates.push_back({middle.cast<float>(), static_cast<float>(contact.gap), feature});
 }
 
+/// Takes those points away that are farther than half of the way from the nearest to the margin.
+std::vector<ManifoldCandidate> take_far(float margin, std::vector<ManifoldCandidate>& candidates) {
+  float nearest = margin;
+  for (const ManifoldCandidate& candidate : candidates) nearest = std::min(nearest, candidate.gap);
+  const float limit = 0.5f * (nearest + margin);
+  const auto first_far =
+      std::stable_partition(candidates.begin(), candidates.end(),
+                            [&](const ManifoldCandidate& candidate) { return candidate.gap <= limit; });
+  std::vector<ManifoldCandidate> far(first_far, candidates.end());
+  candidates.erase(first_far, candidates.end());
+  return far;
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(readability-function-size): two shapes, each with its pose.
-void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float margin,
-                         int pair, ManifoldList& manifolds) {
+void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float tolerance,
+                         float margin, int pair, ManifoldList& manifolds) {
   std::vector<NormalGroup> groups;
-  const std::vector<ContactPoint> contacts = contact_set(a, X_OA, b, X_OB, margin);
+  const std::vector<ContactPoint> contacts =
+      contact_set(a, X_OA, b, X_OB,
+                  ContactReach{std::min(static_cast<double>(tolerance), static_cast<double>(margin)),
+                               static_cast<double>(margin)});
   for (const ContactPoint& contact : contacts) add_contact(contact, group_of(contact.n_W, groups));
-  int part = 0;
-  for (NormalGroup& group : groups)
-    manifolds.push_back({pair, part++, make_manifold(group.n.cast<float>(), 0, group.candidates)});
+  int first = 0;
+  for (NormalGroup& group : groups) {
+    // At most four of the points, which are no candidates any more. A part keeps its number where another of
+    // its normal comes or goes.
+    const auto push = [&](int part, std::vector<ManifoldCandidate>& candidates) {
+      const Manifold manifold = make_manifold(group.n.cast<float>(), 0, candidates);
+      manifolds.push_back({pair, part, manifold});
+      std::erase_if(candidates, [&](const ManifoldCandidate& candidate) {
+        const auto begin = std::begin(manifold.points);
+        return std::any_of(begin, begin + manifold.point_count,
+                           [&](const ManifoldPoint& point) { return point.feature == candidate.feature; });
+      });
+    };
+    // Eight that are near, since of a solid with many corners any may be the next that touches, and four of
+    // the others.
+    std::vector<ManifoldCandidate> far;
+    if (group.candidates.size() > Manifold::max_points) far = take_far(margin, group.candidates);
+    push(first, group.candidates);
+    if (!group.candidates.empty()) push(first + 1, group.candidates);
+    if (!far.empty()) push(first + 2, far);
+    first += 3;
+  }
 }
 
 }  // namespace rigor

@@ -138,6 +138,12 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pa
   return true;
 }
 
+/// What is as near as this touches [m]: more than rounding, and less than soft contacts overlap.
+float touching(const BulkShape& a, const BulkShape& b) {
+  constexpr float share = 1e-3f;
+  return share * std::min(a.size, b.size);
+}
+
 }  // namespace
 
 /// Any two shapes that are not collided in lanes.
@@ -163,7 +169,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
     const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
     const Pose X_OB = pose_of(b, bodies.q[at(pair.body_B)], p_OB);
     if (is_other || is_ring_pair || is_ellipsoid_pair)
-      add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, pair.margin, number, manifolds);
+      add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, touching(a, b), pair.margin, number, manifolds);
     else if (a.kind == Kind::plane)
       add_plane_manifold({a, X_OA, b, placed_B, p_OB, true, pair.margin}, number, polytopes.candidates,
                          manifolds);
@@ -198,7 +204,8 @@ void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& p
   const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
   const auto add_exactly = [&] {
     add_exact_manifolds(*a.shape, pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero()), *b.shape,
-                        pose_of(b, bodies.q[at(pair.body_B)], p_OB), pair.margin, number, manifolds);
+                        pose_of(b, bodies.q[at(pair.body_B)], p_OB), touching(a, b), pair.margin, number,
+                        manifolds);
   };
   if (!meeting.is_clear()) return add_exactly();
   // From the frame of the mesh to W's axes, relative to body A.

@@ -282,6 +282,8 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
   BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
   bulk.is_body_frame = shape.X_BS.R.isIdentity(0) && shape.X_BS.p.isZero(0);
   std::visit(FillCore{hulls, bulk}, shape.shape);
+  const Aabb box = axis_aligned_box(shape.shape, Pose{});
+  bulk.size = static_cast<float>((box.upper - box.lower).maxCoeff());
   return bulk;
 }
 

@@ -106,6 +106,7 @@ struct BulkShape {
                                 ///< segment [m].
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
+  float size = 0;  ///< Longest side of the box about the shape along its axes [m]; may be infinite.
   /// How far the ball inside the core can be moved along the axes of S, both ways [m].
   Vec3f ball_shift = Vec3f::Zero();
 
