@@ -59,8 +59,11 @@ void add_spans(const Audit& audit, std::string& text) {
     const std::string overlap = std::isfinite(span.penetration)
                                     ? fmt::format("{:.3g} m", span.penetration)
                                     : fmt::format("{:.3g} of a body's thickness", span.penetration_share);
-    add_line(text, "", "  {:.3g} J unexplained rise of at most {:.3g} J, penetration at most {}",
-             span.of.rise, span.most_rise, overlap);
+    // Without all of the work there is no rise to judge.
+    const std::string rise = audit.knows_work ? fmt::format("{:.3g} J unexplained rise of at most {:.3g} J, ",
+                                                            span.of.rise, span.most_rise)
+                                              : std::string();
+    add_line(text, "", "  {}penetration at most {}", rise, overlap);
     if (!span.of.end_cause.empty()) add_line(text, "", "  handed over: {}", span.of.end_cause);
   }
   if (audit.spans.size() > shown)

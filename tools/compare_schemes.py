@@ -77,6 +77,11 @@ def broken_bounds(run):
     return "; ".join(text.removeprefix(mark) for text in warnings if text.startswith(mark))
 
 
+def exact(value):
+    """All digits of a number, or nothing where it is null."""
+    return "" if value is None else repr(value)
+
+
 def rows_of(table, scene, scheme, factors):
     """A row a run, one of each factor."""
     reference = table["references"][0] if table["references"] else None
@@ -92,8 +97,8 @@ def rows_of(table, scene, scheme, factors):
             "compared_until": repr(error["compared_until"]) if error else "",
             "reference": reference["name"] if reference else "",
             "reference_error": repr(own["position"]["value"]) if own else "",
-            "order": "" if run["order"] is None else repr(run["order"]),
-            "relative_rise": repr(run["relative_rise"]), "max_penetration": repr(run["max_penetration"]),
+            "order": exact(run["order"]),
+            "relative_rise": exact(run["relative_rise"]), "max_penetration": repr(run["max_penetration"]),
             "max_joint_drift": repr(run["max_joint_drift"]), "impacts": run["impacts"], "steps": run["steps"],
             "cpu_time": repr(run["cpu_time"])}
 
@@ -152,8 +157,8 @@ def add_missing(options, rows):
 
 
 def number(text):
-    """The number, or nothing where there is none."""
-    value = float(text) if text not in ("", None) else math.nan
+    """The number, or nothing where there is none; older files have None there."""
+    value = float(text) if text not in ("", "None", None) else math.nan
     return value if math.isfinite(value) else None
 
 

@@ -120,6 +120,27 @@ TEST(Checkpoint, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.audit.warnings, (std::vector<std::string>{"one", "two"}));
 }
 
+// A part whose work is not known leaves the energy of the whole unjudged, whichever part it is.
+TEST(Checkpoint, WorkThatIsNotKnownStaysSo) {
+  const TemporaryFolder folder;
+  Checkpoint known = sample_checkpoint(), unknown = known;
+  unknown.audit.knows_work = unknown.audit.books.knows_work = false;
+  write_checkpoint(folder / "known.cp", known);
+  write_checkpoint(folder / "unknown.cp", unknown);
+  known = read_checkpoint(folder / "known.cp", 42, *balls().model);
+  unknown = read_checkpoint(folder / "unknown.cp", 42, *balls().model);
+  EXPECT_TRUE(known.audit.knows_work && known.audit.books.knows_work);
+  EXPECT_FALSE(unknown.audit.knows_work || unknown.audit.books.knows_work);
+  for (const Checkpoint* const first : {&known, &unknown}) {
+    for (const Checkpoint* const second : {&known, &unknown}) {
+      const Audit joined = joined_audit(first->audit, second->audit);
+      const bool are_known = first == &known && second == &known;
+      EXPECT_EQ(joined.knows_work, are_known);
+      EXPECT_EQ(joined.books.knows_work, are_known);
+    }
+  }
+}
+
 TEST(Checkpoint, OfAnotherSimulationIsRefused) {
   const TemporaryFolder folder;
   write_checkpoint(folder / "a.cp", sample_checkpoint());

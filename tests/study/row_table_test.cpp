@@ -17,6 +17,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor::row_table_test {
@@ -130,6 +131,37 @@ outcomes:
                                  "parameters: [{name: v, values: [1]}]\n"
                                  "outcomes: [{name: a, value: audit.energy.lost}]\n"),
                InputError);
+}
+
+// Short names and paths tell the same in one row, also where energy is not judged.
+TEST(AuditQuantities, OfTheBalanceAreNotKnownWhereTheWorkIsNot) {
+  Audit audit;
+  audit.dissipated = 1, audit.max_increase = 2;
+  audit.report.work = 3, audit.report.motor_work = 4, audit.report.friction_loss = 5;
+  audit.spans = {{{.scheme = Scheme::event_driven, .end = 1, .rise = 6}, 7, 8, 9, 10}};
+  const auto value = [&](const char* name) { return audit_quantity(audit, name); };
+  for (const bool knows_work : {true, false}) {
+    audit.knows_work = knows_work;
+    for (const auto& [name, known] : {std::pair{"dissipated", 1.0},
+                                      {"energy.dissipated", 1.0},
+                                      {"max_increase", 2.0},
+                                      {"energy.max_increase", 2.0},
+                                      {"work", 3.0},
+                                      {"energy.work", 3.0},
+                                      {"energy.motor_work", 4.0},
+                                      {"spans.0.energy_increase.max", 6.0},
+                                      {"spans.0.energy_increase.tolerance", 7.0}}) {
+      if (knows_work) {
+        EXPECT_EQ(value(name), known) << name;
+      } else {
+        EXPECT_TRUE(std::isnan(value(name))) << name;
+      }
+    }
+    // What needs no balance is known in any case.
+    EXPECT_EQ(value("friction_loss"), 5);
+    EXPECT_EQ(value("energy.friction_loss"), 5);
+    EXPECT_EQ(value("spans.0.penetration_tolerance"), 8);
+  }
 }
 
 }  // namespace

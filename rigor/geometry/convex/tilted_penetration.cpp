@@ -40,6 +40,7 @@ class TiltedPair {
         of_B_(profile(pair.b, sign_)) {
     const double all = pair.a.extent + pair.b.extent + p_.norm();
     by_tilt_ = 2 * all * sine_;
+    by_shortening_ = all * sine_ * sine_;
     add_side_normals(of_A_, sides_of_A_);
     add_side_normals(of_B_, sides_of_B_);
   }
@@ -52,7 +53,9 @@ class TiltedPair {
   /// The lowest that h is within `reach` [rad] of one end of the axis of A (end = ±1), or lower. With the
   /// rings (r, z) that carry there, v = z_A a + z_B b + p, and θ, θ' the angles of m from both axes,
   ///   h ≥ r_A sin θ + r_B sin θ' + v·m ≥ r sin α + v·c cos θ_c + (R - r - |v × c|) sin θ_c,
-  /// R the larger radius, c its axis and r the smaller one, since sin θ + sin θ' ≥ sin α. This is concave.
+  /// R the larger radius, c its axis and r the smaller one, since sin θ + sin θ' ≥ sin α. With v·c ≥ 0 this
+  /// is concave or falls all the way, so it is least at 0 or at the reach. With v·c < 0 it may be least
+  /// between them: such solids hardly overlap along c, and nothing is proved here.
   double lowest_about_end(double end, double reach) const {
     const Vec3 a = end * Vec3::UnitZ(), b = end * axis_;
     const ProfilePoint A = end_ring(of_A_, end), B = end_ring(of_B_, end);
@@ -61,18 +64,20 @@ class TiltedPair {
     const Vec3& c = is_of_A ? a : b;
     const double least = std::min(A.radial, B.radial), more = std::abs(A.radial - B.radial);
     const double along = v.dot(c), across = v.cross(c).norm();
+    if (!(along >= 0)) return -std::numeric_limits<double>::infinity();
     const double farthest = is_of_A ? reach : reach + 2 * sine_;
     const double there = least * sine_ + along * std::cos(farthest) + (more - across) * std::sin(farthest);
     return std::min(least * sine_ + along, there);
   }
 
-  /// A direction and a lower bound of h, with its slope by φ, at one of the angles θ between which the bound
-  /// is concave in the half-plane at φ about the axis of A.
+  /// A direction and a lower bound of h, with how steep it is by φ, at one of the angles θ between which the
+  /// bound is concave in the half-plane at φ about the axis of A.
   enum class Kind { side_of_A, side_of_B, end };
   struct Place {
     Kind kind;
     Vec3 m;
-    double lowest, slope;
+    double lowest;
+    double steepness;  ///< Bound of the size of the first derivative by φ, there.
     double curvature;  ///< Bound of the second derivative by φ, all around.
   };
   /// In the half-plane at φ the axis of B appears at the angle δ, tan δ = tan α cos ψ, and shorter by the
@@ -95,13 +100,16 @@ class TiltedPair {
                          B = support_point(of_B_, {in_B.radial, R * in_B.axial});
       const double value = dot(A, in_A) + B.radial * in_B.radial + R * B.axial * in_B.axial +
                            aside * in_A.radial + p_.z() * in_A.axial;
-      // θ stays, or moves with δ.
+      // θ stays, or moves with δ. A direction square to a side of B moves with R, too, as far as that side is
+      // aslant: tan θ_B = R tan θ_side gives |dθ_B/dφ| ≤ sin² α / (4 R²), R near 1, and h changes with θ_B by
+      // no more than all sizes together. So much is left out of the slope here, and put on its size.
       const double slope =
           aside_rate * in_A.radial + R_rate * B.axial * in_B.axial +
           delta_rate * (kind == Kind::side_of_B ? A.radial * in_A.axial - A.axial * in_A.radial +
                                                       aside * in_A.axial - p_.z() * in_A.radial
                                                 : -B.radial * in_B.axial + R * B.axial * in_B.radial);
-      visit(Place{kind, m, value, slope, p_.head<2>().norm() * in_A.radial + by_tilt_});
+      const double left_out = kind == Kind::side_of_B ? by_shortening_ : 0;
+      visit(Place{kind, m, value, std::abs(slope) + left_out, p_.head<2>().norm() * in_A.radial + by_tilt_});
     };
     const auto in_space = [&u](const ProfilePoint& m) -> Vec3 {
       return {m.radial * u.x(), m.radial * u.y(), m.axial};
@@ -143,7 +151,8 @@ class TiltedPair {
   Vec2 towards_;  ///< Where the axis of B leans.
   Vec3 p_;
   std::vector<ProfilePoint> of_A_, of_B_, sides_of_A_, sides_of_B_;
-  double by_tilt_ = 0;  ///< How far the tilt bends heights as functions of φ, at most.
+  double by_tilt_ = 0;        ///< How far the tilt bends heights as functions of φ, at most.
+  double by_shortening_ = 0;  ///< How far what R turns of directions inclines them, at most.
 };
 
 /// The lowest of h on the circle of m about an axis: where the slope w·(axis × m) changes its sign, w the
@@ -213,8 +222,8 @@ std::optional<Penetration> find_tilted_penetration(const CorePair& pair) {
     double bound = std::numeric_limits<double>::infinity();
     std::array<std::optional<TiltedPair::Place>, 2> sides;
     tilted.for_each_place(part.phi, reach, [&](const TiltedPair::Place& place) {
-      bound = std::min(bound, place.lowest - std::abs(place.slope) * part.half -
-                                  0.5 * place.curvature * part.half * part.half);
+      bound = std::min(
+          bound, place.lowest - place.steepness * part.half - 0.5 * place.curvature * part.half * part.half);
       if (place.kind == TiltedPair::Kind::end) return;
       std::optional<TiltedPair::Place>& side = sides[place.kind == TiltedPair::Kind::side_of_A ? 0 : 1];
       if (!side || place.lowest < side->lowest) side = place;

@@ -36,18 +36,24 @@ Json method_json(const Audit& audit) {
   return json;
 }
 
+/// A quantity of the balance of the energy: without all of the work there is none.
+Json balance_json(const Audit& audit, double value) {
+  return audit.knows_work ? Json(value) : Json(nullptr);
+}
+
 Json spans_json(const Audit& audit) {
   Json json = Json::array();
   for (const Audit::Span& span : audit.spans) {
     Method of_span = audit.method;
     of_span.solver = span.of.solver;
+    const Json rise = balance_json(audit, span.of.rise), most_rise = balance_json(audit, span.most_rise);
     json.push_back({{"scheme", scheme_name(span.of.scheme)},
                     {"solver", method_choice(of_span, "solver")},
                     {"begin", span.of.begin},
                     {"end", span.of.end},
                     {"impacts", span.of.impacts},
                     {"impact_time_error", audit.impact_time_error(span.of)},
-                    {"energy_increase", {{"max", span.of.rise}, {"tolerance", span.most_rise}}},
+                    {"energy_increase", {{"max", rise}, {"tolerance", most_rise}}},
                     {"penetration_tolerance", nullptr},
                     {"penetration_tolerance_of_thickness", span.penetration_share},
                     {"joint_drift_tolerance", span.joint_drift},
@@ -115,17 +121,15 @@ Json bodies_json(const Audit& audit) {
 
 Json energy_json(const Audit& audit) {
   const AdvanceReport& report = audit.report;
-  // Without all of the work there is no balance.
-  const auto known = [&](double value) { return audit.knows_work ? Json(value) : Json(nullptr); };
   return {{"initial", audit.initial.total()},
           {"final", audit.final.total()},
-          {"work", known(report.work)},
-          {"motor_work", known(report.motor_work)},
-          {"dissipated", known(audit.dissipated)},
+          {"work", balance_json(audit, report.work)},
+          {"motor_work", balance_json(audit, report.motor_work)},
+          {"dissipated", balance_json(audit, audit.dissipated)},
           {"friction_loss", report.friction_loss},
           {"impact_loss", report.impact_loss - report.impact_gain},
           {"elastic", {audit.initial.elastic, audit.final.elastic}},
-          {"max_increase", known(audit.max_increase)}};
+          {"max_increase", balance_json(audit, audit.max_increase)}};
 }
 
 }  // namespace

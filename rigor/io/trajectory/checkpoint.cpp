@@ -270,6 +270,7 @@ Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name, std
     }
   };
   visit_numbers(checkpoint.audit, read);
+  checkpoint.audit.knows_work = checkpoint.audit.books.knows_work;
   // A forged count ends where the bytes do.
   for (std::uint64_t count = reader.read(); count > 0; --count) {
     SchemeSpan span;
@@ -298,6 +299,9 @@ Audit joined_audit(const Audit& first, const Audit& second) {
   audit.initial = first.initial;
   audit.dissipated = audit.initial.total() + audit.report.work - audit.final.total();
   audit.max_increase = std::max(first.max_increase, second.max_increase);
+  // Work of which a part is not known is not known.
+  audit.knows_work = first.knows_work && second.knows_work;
+  audit.books.knows_work = first.books.knows_work && second.books.knows_work;
   audit.linear_momentum_error = audit.report.momentum_error.norm();
   audit.angular_momentum_error = audit.report.angular_momentum_error.norm();
   for (const auto list : {&Audit::warnings, &Audit::violations}) {

@@ -40,6 +40,17 @@ StepContacts::StepContacts(const Model& model, const Environment& environment, c
   }
 }
 
+StepContacts::StepContacts(const StepContacts& other, const Environment& environment, const Method& method)
+    : model_(other.model_),
+      environment_(environment),
+      tolerance_(other.tolerance_),
+      cone_(other.cone_),
+      finder_(model_, method.broad_phase),
+      end_finder_(model_, method.broad_phase),
+      thickness_(other.thickness_),
+      is_here_(other.is_here_.size(), true),
+      width_(other.width_) {}
+
 void StepContacts::look_only_at(const std::vector<bool>& bodies) {
   is_here_ = bodies;
   finder_.look_only_at(bodies);

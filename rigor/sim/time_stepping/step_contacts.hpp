@@ -33,6 +33,8 @@ class StepContacts {
 
   /// Holds references to the model and the environment.
   StepContacts(const Model& model, const Environment& environment, const Method& method);
+  /// The same for another stepper of the model: the sizes of its shapes are known.
+  StepContacts(const StepContacts& other, const Environment& environment, const Method& method);
 
   /// From now on only these bodies are there, of each body whether it is one.
   void look_only_at(const std::vector<bool>& bodies);

@@ -32,7 +32,6 @@ class TimeStepper : public FixedStepStepper {
   /// target_step H > 0 [s]: the longest step. threads >= 1: on which groups that do not come near each other,
   /// and parts that do not touch each other, are moved side by side; the answer does not depend on it.
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads = 1);
-  TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
     return touching_points(*model_, state, touching_, forces_);
@@ -47,6 +46,8 @@ class TimeStepper : public FixedStepStepper {
   std::size_t group_count() const { return group_count_; }
 
  private:
+  /// A helper that moves groups of bodies for this one.
+  TimeStepper(const TimeStepper& whole);
   using Pair = SpeculativeContacts::Pair;
   /// A step that was tried: the bodies at its end, and how far it can be trusted.
   struct Trial {
@@ -85,7 +86,6 @@ class TimeStepper : public FixedStepStepper {
   bool step_in_groups(double t_end, State& state);
   std::vector<BodyGroup> groups_of(const State& state, double t_end) const;
   BodyRanges ranges_ahead(const State& state, double t_end) const;
-  std::unique_ptr<TimeStepper> take_helper();
   void move_only(const BodyGroup& bodies);
   void move_group(double t_end, ApartGroup& group);
   void extend_ranges(const std::vector<double>& reaches, const State& begin, const State& end);

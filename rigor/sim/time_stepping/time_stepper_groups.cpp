@@ -19,6 +19,20 @@
 
 namespace rigor {
 
+TimeStepper::TimeStepper(const TimeStepper& whole)
+    : FixedStepStepper(whole),
+      method_(whole.method_),
+      environment_(*model_),
+      assembler_(*model_, environment_, target_step_),
+      resolver_(*model_, assembler_, method_),
+      joints_(*model_, assembler_),
+      impulses_(*model_, environment_, assembler_, resolver_, joints_, last_forces_, method_),
+      contacts_(whole.contacts_, environment_, method_),
+      executor_(1),
+      is_here_(whole.is_here_.size()),
+      is_one_of_several_(true),
+      work_of_bodies_(whole.work_of_bodies_.size()) {}
+
 std::vector<BodyGroup> TimeStepper::groups_of(const State& state, double t_end) const {
   std::vector<bool> is_held(at(model_->body_count()));
   for (const ContactForce& force : last_forces_.all())
@@ -49,8 +63,8 @@ BodyRanges TimeStepper::ranges_ahead(const State& state, double t_end) const {
 /// Moves all bodies to t_end, or stops because that takes too much work; false if there is only one group, or
 /// if a group could not go on.
 bool TimeStepper::step_in_groups(double t_end, State& state) {
-  // A part below the resolution of time is no step of a helper.
-  if (t_end - state.t <= time_rounding()) return false;
+  // A part below the resolution of time is no step of a helper, which asks in the same way.
+  if (!(state.t < t_end - time_rounding())) return false;
   std::vector<BodyGroup> groups = groups_of(state, t_end);
   if (groups.size() < 2) return false;
   State begin = state;
@@ -66,8 +80,17 @@ bool TimeStepper::step_in_groups(double t_end, State& state) {
     std::unique_ptr<TimeStepper> helper;
     {
       const std::lock_guard<std::mutex> lock(turn);
-      helper = take_helper();
+      // What is too much already stays too much, whoever comes first.
+      if (tried > left) {
+        group.report.reason = StopReason::interrupted;
+        return;
+      }
+      if (!helpers_.empty()) {
+        helper = std::move(helpers_.back());
+        helpers_.pop_back();
+      }
     }
+    if (!helper) helper.reset(new TimeStepper(*this));
     helper->set_work_limit(left);
     helper->move_group(t_end, group);
     const std::lock_guard<std::mutex> lock(turn);
@@ -78,12 +101,14 @@ bool TimeStepper::step_in_groups(double t_end, State& state) {
   const std::vector<ApartGroup> moved = advance_apart(*model_, executor_, std::move(groups), begin,
                                                       work_of_bodies_, {[](const BodyGroup&) {}, advance});
 
-  // What the step has cost, with groups that were moved in vain, may be more than the call may.
-  report_.step_work += tried;
+  // What the step has cost, with groups that were moved in vain, may be more than the call may; by how much
+  // depends on who has begun by then.
   if (tried > left) {
+    report_.step_work = work_limit_ + 1;
     report_.reason = StopReason::interrupted;
     return true;
   }
+  report_.step_work += tried;
   const StopReason reason = reason_of(moved);
   if (reason == StopReason::interrupted) throw Interrupted();
   if (moved.empty() || reason != StopReason::reached_end) return false;
@@ -109,17 +134,8 @@ bool TimeStepper::step_in_groups(double t_end, State& state) {
   return true;
 }
 
-/// A stepper that moves no group at the moment.
-std::unique_ptr<TimeStepper> TimeStepper::take_helper() {
-  if (helpers_.empty()) return std::make_unique<TimeStepper>(model_, method_, target_step_);
-  std::unique_ptr<TimeStepper> helper = std::move(helpers_.back());
-  helpers_.pop_back();
-  return helper;
-}
-
 /// The bodies that this stepper moves from now on, beside all that are prescribed.
 void TimeStepper::move_only(const BodyGroup& bodies) {
-  is_one_of_several_ = true;
   for (int i = 0; i < model_->body_count(); ++i)
     is_here_[at(i)] = model_->body(i).motion != MotionType::dynamic;
   for (const int body : bodies) is_here_[at(body)] = true;

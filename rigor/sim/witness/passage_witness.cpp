@@ -34,6 +34,9 @@ PassageWitness::PassageWitness(std::shared_ptr<const Model> model)
       follows_anything_(std::any_of(marked_.begin(), marked_.end(),
                                     [](const auto& body) { return !body->markers.empty(); })) {}
 
+PassageWitness::PassageWitness(const PassageWitness& other)
+    : model_(other.model_), marked_(other.marked_), follows_anything_(other.follows_anything_) {}
+
 void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
   if (!follows_anything_) return;
   watch_boxes(paths);

@@ -24,6 +24,9 @@ namespace rigor {
 class PassageWitness {
  public:
   explicit PassageWitness(std::shared_ptr<const Model> model);
+  /// Another witness of the same model: what is known of its shapes, which takes long for large meshes, is
+  /// shared.
+  explicit PassageWitness(const PassageWitness& other);
 
   /// Enters into the report what was found along these paths, one of each body; of a body without pieces
   /// nothing is found.

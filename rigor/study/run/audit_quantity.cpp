@@ -15,6 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Not known where the audit does not know the work: it balances no energy then.
+double if_balanced(const Audit& audit, double value) {
+  return audit.knows_work ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 struct ShortName {
   std::string_view name;
   double (*value)(const Audit& audit);
@@ -25,9 +30,9 @@ constexpr std::array<ShortName, 17> short_names = {{
     {"separations", [](const Audit& a) { return static_cast<double>(a.report.separations); }},
     {"slip_to_stick", [](const Audit& a) { return static_cast<double>(a.report.slip_to_stick); }},
     {"steps", [](const Audit& a) { return static_cast<double>(a.report.steps); }},
-    {"dissipated", [](const Audit& a) { return a.dissipated; }},
-    {"max_increase", [](const Audit& a) { return a.max_increase; }},
-    {"work", [](const Audit& a) { return a.report.work; }},
+    {"dissipated", [](const Audit& a) { return if_balanced(a, a.dissipated); }},
+    {"max_increase", [](const Audit& a) { return if_balanced(a, a.max_increase); }},
+    {"work", [](const Audit& a) { return if_balanced(a, a.report.work); }},
     {"impact_loss", [](const Audit& a) { return a.report.impact_loss; }},
     {"impact_gain", [](const Audit& a) { return a.report.impact_gain; }},
     {"friction_loss", [](const Audit& a) { return a.report.friction_loss; }},

@@ -29,7 +29,7 @@ double random_size(Random& random, double low, double high) {
   return std::pow(10, random.uniform(low, high));
 }
 
-/// B against A: a tilt of 1e-8 to 0.01, the axes up to 0.05 beside each other, one in three turned over.
+/// B against A: tilted by `tilt` [rad], the axes up to 0.05 beside each other, one in three turned over.
 Pose random_pose(Random& random, double tilt) {
   const double angle = random.uniform(0, 2 * kPi);
   const Vec3 across(std::cos(angle), std::sin(angle), 0);

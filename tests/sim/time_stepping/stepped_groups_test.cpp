@@ -1,6 +1,7 @@
 // Groups of bodies that do not come near each other in a step are moved side by side, each by itself.
 
 #include "random_vectors.hpp"
+#include "rigor/core/work_count.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
@@ -8,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace rigor::stepped_groups_test {
@@ -33,9 +36,9 @@ std::shared_ptr<const Model> field(unsigned seed) {
     for (int i = 0; i < 5; ++i) {
       const double size = 0.05 + 0.02 * random.number();
       const Shape shape = i % 2 == 0 ? Shape(Box{Vec3(size, 0.8 * size, 0.6 * size)}) : Shape(Sphere{size});
+      const double x = 0.7 * k + 0.02 * random.number(), y = 0.02 * random.number();
       BodyDescription body =
-          test::stepping_body("h" + std::to_string(k) + std::to_string(i), shape,
-                              Vec3(0.7 * k + 0.02 * random.number(), 0.02 * random.number(), 0.1 + 0.17 * i));
+          test::stepping_body("h" + std::to_string(k) + std::to_string(i), shape, Vec3(x, y, 0.1 + 0.17 * i));
       body.q_WU = rotation_exp(random.vector()).normalized();
       body.velocity = 0.3 * random.vector();
       builder.add_body(body);
@@ -117,31 +120,64 @@ TEST(SteppedGroups, GroupsThatMeetUnforeseenAreMovedAsOne) {
 }
 
 /// Where a leg of a path ends just before a step does, what is left of the step is no step of a group.
+void expect_an_end(double begin, double before) {
+  ModelBuilder builder = test::stepping_builder(0.5, 0, Vec3(0, 0, -9.81));
+  BodyDescription gate = test::stepping_body("gate", Box{Vec3::Constant(0.05)}, Vec3::Zero());
+  gate.motion = MotionType::kinematic;
+  gate.path = {{0, Vec3(0, 5, 0.5), Quat::Identity()},
+               {begin + 4 * step - before, Vec3(0, 6, 0.5), Quat::Identity()}};
+  builder.add_body(gate);
+  for (const double x : {-3.0, 3.0}) {
+    for (const double z : {0.05, 0.15}) {
+      const std::string name = "box" + std::to_string(x) + "_" + std::to_string(z);
+      BodyDescription body = test::stepping_body(name, Box{Vec3::Constant(0.05)}, Vec3(x, 0, z));
+      body.velocity = Vec3(1, 0, 0);
+      builder.add_body(body);
+    }
+  }
+  const std::shared_ptr<const Model> model = builder.build();
+  TimeStepper stepper(model, Method{}, step, 2);
+  // An endless loop would ask for ever.
+  long asked = 0;
+  stepper.set_interrupt([&asked] { return ++asked > 100000; });
+  State state = make_initial_state(*model);
+  state.t = begin;
+  state.anchor_here();
+  EXPECT_EQ(stepper.advance(state, begin + 10 * step).reason, StopReason::reached_end)
+      << begin << ", " << before;
+  EXPECT_EQ(stepper.group_count(), 2u);
+}
+
 TEST(SteppedGroups, APartBelowTheResolutionOfTimeEnds) {
-  for (const double before : {3e-16, 3e-13, 1e-12, 1e-10}) {
-    ModelBuilder builder = test::stepping_builder(0.5, 0, Vec3(0, 0, -9.81));
-    BodyDescription gate = test::stepping_body("gate", Box{Vec3::Constant(0.05)}, Vec3(0, 5, 0.5));
-    gate.motion = MotionType::kinematic;
-    gate.p_WU = Vec3::Zero();  // The path says it.
-    gate.path = {{0, Vec3(0, 5, 0.5), Quat::Identity()},
-                 {4 * step - before, Vec3(0, 6, 0.5), Quat::Identity()}};
-    builder.add_body(gate);
-    for (const double x : {-3.0, 3.0}) {
-      for (const double z : {0.05, 0.15}) {
-        const std::string name = "box" + std::to_string(x) + "_" + std::to_string(z);
-        BodyDescription body = test::stepping_body(name, Box{Vec3::Constant(0.05)}, Vec3(x, 0, z));
-        body.velocity = Vec3(1, 0, 0);
-        builder.add_body(body);
+  for (const double before : {3e-16, 3e-13, 1e-12, 1e-10}) expect_an_end(0, before);
+  // Late, the resolution is a few roundings of the time: as many as decide which side of it a part is on.
+  const double rounding = std::nextafter(2100, 3000) - 2100;
+  for (int k = 15; k < 30; ++k) expect_an_end(2100, k * rounding);
+}
+
+TEST(SteppedGroups, AStepThatTakesTooMuchIsGivenUpOnAnyNumberOfThreads) {
+  const std::shared_ptr<const Model> model = field(1);
+  State begin = make_initial_state(*model);
+  TimeStepper(model, Method{}, step).advance(begin, 0.2);
+  // What a step counts at all, and less.
+  State end = begin;
+  const double all = TimeStepper(model, Method{}, step).advance(end, begin.t + step).step_work;
+  for (const double limit : {0.05 * all, 0.5 * all, 0.95 * all}) {
+    for (const int threads : {1, 3}) {
+      TimeStepper stepper(model, Method{}, step, threads);
+      stepper.set_work_limit(limit);
+      State state = begin;
+      const std::uint64_t counted = work_counted();
+      const AdvanceReport report = stepper.advance(state, begin.t + step);
+      EXPECT_EQ(report.reason, StopReason::interrupted);
+      EXPECT_TRUE(stepper.is_beyond_work_limit());
+      EXPECT_EQ(report.step_work, limit + 1);
+      EXPECT_EQ(state, begin);
+      // One thread ends with the group in which it became too much.
+      if (threads == 1) {
+        EXPECT_LE(static_cast<double>(work_counted() - counted), 2 * limit + 1e5);
       }
     }
-    const std::shared_ptr<const Model> model = builder.build();
-    TimeStepper stepper(model, Method{}, step, 2);
-    // An endless loop would ask for ever.
-    long asked = 0;
-    stepper.set_interrupt([&asked] { return ++asked > 100000; });
-    State state = make_initial_state(*model);
-    EXPECT_EQ(stepper.advance(state, 10 * step).reason, StopReason::reached_end);
-    EXPECT_EQ(stepper.group_count(), 2u);
   }
 }
 
