@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/math/compensated_sum.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
@@ -12,7 +13,6 @@
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -146,9 +146,8 @@ void TimeStepper::move_only(const BodyGroup& bodies) {
 
 /// Moves a group of bodies to t_end, as one of the steppers that move several.
 void TimeStepper::move_group(double t_end, ApartGroup& group) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   move_only(group.bodies);
-  ranges_.assign(at(model_->body_count()), {Vec3::Constant(infinite), Vec3::Constant(-infinite)});
+  ranges_.assign(at(model_->body_count()), {Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)});
   set_interrupt(shared_interrupt());
   group.report = advance(group.state, t_end);
   set_interrupt({});
