@@ -19,12 +19,8 @@ FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double ta
   leg_ends_ = sorted_unique(std::move(leg_ends_));
 }
 
-FixedStepStepper::FixedStepStepper(const FixedStepStepper& other)
-    : Stepper(),
-      model_(other.model_),
-      target_step_(other.target_step_),
-      witness_(other.witness_),
-      leg_ends_(other.leg_ends_) {}
+FixedStepStepper::FixedStepStepper(const FixedStepStepper& other, double target_step)
+    : model_(other.model_), target_step_(target_step), witness_(other.witness_), leg_ends_(other.leg_ends_) {}
 
 /// Where the part of a step that begins at t ends: a body on a path changes its velocity where a leg ends,
 /// and what it carries or pulls must not look past that. Legs that end within the rounding of either end end

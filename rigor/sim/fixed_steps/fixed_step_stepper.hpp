@@ -21,8 +21,8 @@ class FixedStepStepper : public Stepper {
  protected:
   /// target_step > 0 [s].
   FixedStepStepper(std::shared_ptr<const Model> model, double target_step);
-  /// Another stepper of the same model and step, which shares what is known of the model.
-  FixedStepStepper(const FixedStepStepper& other);
+  /// Of the model of another stepper, with which it shares what is known of its shapes.
+  FixedStepStepper(const FixedStepStepper& other, double target_step);
 
   /// No fixed step is longer [s].
   virtual double longest_step() const { return target_step_; }

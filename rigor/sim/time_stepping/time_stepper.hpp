@@ -32,6 +32,7 @@ class TimeStepper : public FixedStepStepper {
   /// target_step H > 0 [s]: the longest step. threads >= 1: on which groups that do not come near each other,
   /// and parts that do not touch each other, are moved side by side; the answer does not depend on it.
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads = 1);
+  TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
   std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
     return touching_points(*model_, state, touching_, forces_);
@@ -47,7 +48,7 @@ class TimeStepper : public FixedStepStepper {
 
  private:
   /// A helper that moves groups of bodies for this one.
-  TimeStepper(const TimeStepper& whole);
+  TimeStepper(const TimeStepper& whole, int threads);
   using Pair = SpeculativeContacts::Pair;
   /// A step that was tried: the bodies at its end, and how far it can be trusted.
   struct Trial {

@@ -19,8 +19,8 @@
 
 namespace rigor {
 
-TimeStepper::TimeStepper(const TimeStepper& whole)
-    : FixedStepStepper(whole),
+TimeStepper::TimeStepper(const TimeStepper& whole, int threads)
+    : FixedStepStepper(whole, whole.target_step_),
       method_(whole.method_),
       environment_(*model_),
       assembler_(*model_, environment_, target_step_),
@@ -28,7 +28,7 @@ TimeStepper::TimeStepper(const TimeStepper& whole)
       joints_(*model_, assembler_),
       impulses_(*model_, environment_, assembler_, resolver_, joints_, last_forces_, method_),
       contacts_(whole.contacts_, environment_, method_),
-      executor_(1),
+      executor_(threads),
       is_here_(whole.is_here_.size()),
       is_one_of_several_(true),
       work_of_bodies_(whole.work_of_bodies_.size()) {}
@@ -90,7 +90,7 @@ bool TimeStepper::step_in_groups(double t_end, State& state) {
         helpers_.pop_back();
       }
     }
-    if (!helper) helper.reset(new TimeStepper(*this));
+    if (!helper) helper.reset(new TimeStepper(*this, 1));
     helper->set_work_limit(left);
     helper->move_group(t_end, group);
     const std::lock_guard<std::mutex> lock(turn);
