@@ -47,8 +47,9 @@ std::string progress_text(const Progress& progress, int width) {
   // What does not fit the line is left out whole, the least important first: no number is ever cut.
   std::vector<std::string> parts = {fmt::format("{:.3g}x real time", speed), "ETA " + duration_text(left),
                                     fmt::format("{} impacts", progress.impacts),
-                                    fmt::format("{} at rest", progress.resting),
-                                    fmt::format("energy drift {:.1g} J", progress.energy_drift)};
+                                    fmt::format("{} at rest", progress.resting)};
+  if (std::isfinite(progress.energy_drift))
+    parts.push_back(fmt::format("energy drift {:.1g} J", progress.energy_drift));
   if (left > slow && !progress.advice.empty()) parts.push_back(progress.advice);
   const std::string rest = joined_within(parts, width - static_cast<int>(times.size()));
   // The bar takes the space that the numbers leave.

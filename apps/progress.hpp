@@ -11,7 +11,7 @@ struct Progress {
   double start, end;        ///< Start and end of the run [s].
   double elapsed;           ///< Real time [s].
   long impacts, resting;    ///< Events so far.
-  double energy_drift;      ///< Largest unexplained rise of energy [J].
+  double energy_drift;      ///< Largest unexplained rise of energy [J]; left out if it is not finite.
   std::string label = {};   ///< Comes first, if not empty.
   std::string advice = {};  ///< Comes last where the run will take minutes more, if not empty.
 };

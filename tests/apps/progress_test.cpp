@@ -61,5 +61,16 @@ TEST(Progress, ShowsTheImportantFirst) {
             "5/10 s [##...] 2.5x real time, ETA 0:02, 7 impacts, 1 at rest, energy drift 0 J");
 }
 
+TEST(Progress, LeavesOutADriftThatIsNotKnown) {
+  const Progress progress{.time = 5,
+                          .start = 0,
+                          .end = 10,
+                          .elapsed = 2,
+                          .impacts = 7,
+                          .resting = 1,
+                          .energy_drift = std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(progress_text(progress, 64), "5/10 s [####....] 2.5x real time, ETA 0:02, 7 impacts, 1 at rest");
+}
+
 }  // namespace
 }  // namespace rigor::progress_test

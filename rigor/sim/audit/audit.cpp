@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -219,10 +220,19 @@ void Auditor::judge_spans(Audit& audit) const {
   }
 }
 
-void Auditor::find_violations(Audit& audit) const {
-  // What is about the whole run is judged by the weaker promises of the schemes that carried it.
+/// What is about the whole run is judged by the weaker promises of the schemes that carried it.
+SchemePromises Auditor::promises_of_run() const {
   SchemePromises promises = promises_;
-  for (const Audit::Span& span : audit.spans) promises = weaker_of(promises, promises_of_span(span.of));
+  for (const SchemeSpan& span : sum_.spans) promises = weaker_of(promises, promises_of_span(span));
+  return promises;
+}
+
+double Auditor::max_increase() const {
+  return promises_of_run().knows_work ? max_increase_ : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Auditor::find_violations(Audit& audit) const {
+  const SchemePromises promises = promises_of_run();
   const auto check = [&](Audit::Promise promise, const char* quantity, double value, double bound,
                          const char* unit) {
     if (value > bound) {

@@ -132,8 +132,8 @@ class Auditor {
   Audit audit(const State& state) const;
   /// Mechanical energy at the last observation [J] and its largest unexplained rise, for progress displays.
   const Energy& energy() const { return energy_; }
-  /// Its largest unexplained rise so far [J].
-  double max_increase() const { return max_increase_; }
+  /// Its largest unexplained rise so far [J]; NaN where the work from outside is not known.
+  double max_increase() const;
   /// The forces of the model that is audited.
   const Environment& environment() const { return *environment_; }
 
@@ -142,6 +142,7 @@ class Auditor {
   void balance_spans(const AdvanceReport& report);
   /// What the scheme promises of this scene.
   SchemePromises promises_of_span(const SchemeSpan& span) const;
+  SchemePromises promises_of_run() const;
   /// The largest momenta and energies of the run, to which errors are relative.
   void observe_scales(const State& state, const AdvanceReport& report);
   void find_violations(Audit& audit) const;
