@@ -94,18 +94,13 @@ double largest_miss(const HardProblem& hard, const CoulombSolution& solution) {
   return worst;
 }
 
-TEST(ProximalPoints, SolveWhatTheOtherMethodsLeave) {
+TEST(ProximalPoints, SolveWhatTakesManySweeps) {
   for (const HardProblem& hard : hard_problems()) {
     const std::optional<CoulombSolution> solution = solve(hard.problem, hard.resolution);
     ASSERT_TRUE(solution) << hard.name;
     EXPECT_LE(solution->residual, kSolved) << hard.name;
     EXPECT_LE(largest_miss(hard, *solution), hard.resolution) << hard.name;
     EXPECT_LT(solution->iterations, 30) << hard.name;
-    // The augmented Lagrangian and 256 sweeps do not.
-    CoulombOptions others;
-    others.tolerance = others.enough = kSolved;
-    others.max_iterations = 256;
-    EXPECT_GT(solve_coulomb(hard.problem, others).residual, kSolved) << hard.name;
   }
 }
 

@@ -4,6 +4,8 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,14 +24,15 @@ constexpr double kSameAngle = 1e-7;
 struct TrigPolynomial {
   double c0, c1, s1, c2, s2;
 
-  double value(double angle) const {
-    return c0 + c1 * std::cos(angle) + s1 * std::sin(angle) + c2 * std::cos(2 * angle) +
-           s2 * std::sin(2 * angle);
+  struct Jet {
+    double value, slope;
+  };
+  Jet at(double angle) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double cc = (c - s) * (c + s), ss = 2 * c * s;  // Of twice the angle.
+    return {c0 + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2 * (s2 * cc - c2 * ss)};
   }
-  double slope(double angle) const {
-    return s1 * std::cos(angle) - c1 * std::sin(angle) + 2 * s2 * std::cos(2 * angle) -
-           2 * c2 * std::sin(2 * angle);
-  }
+  double value(double angle) const { return at(angle).value; }
   double size() const { return std::abs(c0) + std::abs(c1) + std::abs(s1) + std::abs(c2) + std::abs(s2); }
   // The same function of ψ, θ = ψ + shift.
   TrigPolynomial shifted(double shift) const {
@@ -50,18 +53,15 @@ TrigPolynomial slip_condition(const Mat3& K, const Vec3& b, double mu) {
 
 // Newton's method from a point near a root; keeps the best point.
 double refine_root(const TrigPolynomial& h, double angle) {
-  double best = angle;
-  double best_value = std::abs(h.value(angle));
-  for (int i = 0; i < 50 && best_value > 0; ++i) {
-    const double slope = h.slope(angle);
-    if (slope == 0) break;
-    angle -= h.value(angle) / slope;
-    const double value = std::abs(h.value(angle));
-    if (!(value < best_value)) break;
-    best = angle;
-    best_value = value;
+  TrigPolynomial::Jet best = h.at(angle);
+  for (int i = 0; i < 50 && best.value != 0 && best.slope != 0; ++i) {
+    const double next_angle = angle - best.value / best.slope;
+    const TrigPolynomial::Jet next = h.at(next_angle);
+    if (!(std::abs(next.value) < std::abs(best.value))) break;
+    angle = next_angle;
+    best = next;
   }
-  return best;
+  return angle;
 }
 
 // All real roots, as angles: those of a quartic in t = tan(ψ/2), θ = ψ + shift.
@@ -115,6 +115,10 @@ std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, dou
 }
 
 std::optional<LocalCoulombSolution> find_stick(const Mat3& K, const Vec3& b, double mu) {
+  // A force far outside the cone shows by the cofactors of K, for a fraction of what exact forces cost.
+  constexpr double kFar = 1e-6;
+  const Vec3 rough = -(K.inverse() * b);
+  if (rough.allFinite() && rough.head<2>().norm() > mu * rough(2) + kFar * rough.norm()) return std::nullopt;
   const Vec3 lambda = -refined_symmetric_solution(K, b);
   if (!(lambda(2) > 0)) return std::nullopt;
   if (!(lambda.head<2>().norm() <= mu * lambda(2) * (1 + kRounding))) return std::nullopt;

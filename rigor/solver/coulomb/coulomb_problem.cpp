@@ -11,11 +11,13 @@
 #include "rigor/solver/coulomb/coulomb_seed.hpp"
 #include "rigor/solver/coulomb/proximal_points.hpp"
 #include "rigor/solver/coulomb/smooth_modes.hpp"
+#include "rigor/solver/linear/contact_space_motion.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace rigor {
@@ -257,19 +259,81 @@ std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem
   return labelled(std::move(exact), solution->iterations, "proximal points");
 }
 
+/// Work of an elimination of blocks, as a share of the cube of the rows of A, up to which it is the quicker
+/// one.
+constexpr double kBlockWork = 0.5;
+
+/// A as a map of motions: block by block where that is less work than with its factor.
+std::unique_ptr<ContactMotion> motion_of(const MatX& A) {
+  auto by_blocks = std::make_unique<ContactSpaceMotion>(A);
+  const double size = static_cast<double>(A.rows());
+  if (by_blocks->work() < kBlockWork * size * size * size) return by_blocks;
+  return std::make_unique<FactoredMotion>(A);
+}
+
 /// Of many contacts: what they do by proximal points that begin from the interior of the cones, refined to
 /// the forces of least norm where these are asked for.
 CoulombSolution solve_many(const CoulombProblem& problem, const CoulombOptions& options,
                            const CoulombSolution& start) {
+  const std::unique_ptr<ContactMotion> motion = motion_of(problem.A);
+  // Of the solutions of few contacts careful points find the one that has the symmetry of the problem.
+  const bool is_bold = !options.least_norm || problem.mu.size() >= kFewestInside;
   std::optional<CoulombSolution> found = solve_by_proximal_points(
-      problem, FactoredMotion(problem.A), [&](const VecX& lambda) { return largest_term(problem, lambda); },
-      {.enough = options.tolerance, .gives_best = true, .is_bold = true});
+      problem, *motion, [&](const VecX& lambda) { return largest_term(problem, lambda); },
+      {.enough = options.tolerance, .gives_best = true, .is_bold = is_bold});
   if (!found || !(found->residual < start.residual)) return start;
   if (!options.least_norm && found->converged) return *found;
   CoulombSolution polished =
       polish_coulomb(problem, guess_of_forces(problem, found->lambda, found->modes), options.tolerance);
-  return labelled(polished.residual < found->residual ? std::move(polished) : std::move(*found),
-                  found->iterations, "proximal points");
+  const bool is_refined = polished.converged || polished.residual < found->residual;
+  return labelled(is_refined ? std::move(polished) : std::move(*found), found->iterations, "proximal points");
+}
+
+/// Sweeps as long as they converge fast: they cost little, and where any share of the load will do their
+/// forces are an answer. Of few contacts it costs less to refine what a few of them show.
+CoulombSolution solve_by_sweeps(const CoulombProblem& problem, const CoulombOptions& options,
+                                CoulombSolution best) {
+  constexpr int kMostSweeps = 1024, kFirstLook = 16;
+  constexpr double kGainOfDoubling = 0.1;
+  constexpr std::size_t kFew = 8;
+  const bool are_few = problem.mu.size() < kFew;
+  CoulombGaussSeidel gauss_seidel(problem, open_guess(problem));
+  const CoulombGuess& guess = gauss_seidel.guess();
+  double change = 1;
+  for (int sweep = 1; sweep <= (are_few ? kFirstLook : kMostSweeps) && change > 0; ++sweep) {
+    poll_interrupt();
+    change = gauss_seidel.sweep();
+    if (!guess.lambda.allFinite()) return best;
+    const bool is_power = (sweep & (sweep - 1)) == 0;
+    if (!is_power && change > options.tolerance) continue;
+    CoulombSolution next = labelled(
+        make_solution(problem, clamp_to_cones(problem, guess.lambda), guess.modes.modes, options.tolerance),
+        sweep, "gauss-seidel");
+    const bool is_slow = sweep >= kFirstLook && next.residual > kGainOfDoubling * best.residual;
+    if (next.residual < best.residual) best = std::move(next);
+    if (best.converged) return best;
+    if (is_slow) break;
+  }
+  if (!are_few) return best;
+  CoulombSolution refined = polish_coulomb(problem, guess, options.tolerance);
+  return refined.residual < best.residual ? labelled(std::move(refined), kFirstLook, "gauss-seidel") : best;
+}
+
+/// So many contacts are better begun with proximal points than with the chain.
+constexpr std::size_t kFewestMany = 8;
+
+/// Where b is exact. The chain would take minutes of many contacts.
+CoulombSolution solve_exact(const CoulombProblem& problem, const CoulombOptions& options,
+                            CoulombSolution start) {
+  constexpr std::size_t kMostOfChain = 200;
+  const std::size_t count = problem.mu.size();
+  if (!options.least_norm) start = solve_by_sweeps(problem, options, std::move(start));
+  if (count >= kFewestMany && !start.converged) start = solve_many(problem, options, start);
+  if (start.converged || count > kMostOfChain) return start;
+  // What the chain guesses shows sooner if it is refined, which makes the forces those of least norm.
+  CoulombOptions refined = options;
+  refined.least_norm = true;
+  return Chain(problem, refined, std::move(start)).run();
 }
 
 CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
@@ -300,25 +364,21 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
     if (seeded.residual < start.residual) start = seeded;
   }
 
-  // Of many contacts the chain would take minutes.
-  constexpr std::size_t kFewestMany = 200;
-  if (!options.resolution && problem.mu.size() >= kFewestMany) {
-    start = solve_many(problem, options, start);
-    if (start.converged) return start;
-  }
-
-  // b is exact: the chain alone.
-  if (!options.resolution) return Chain(problem, options, std::move(start)).run();
+  if (!options.resolution) return solve_exact(problem, options, std::move(start));
 
   // b is known to a resolution: contacts may contradict each other by as much, and proximal points decide.
-  // They come first where any share of redundant contacts will do, and after the chain where it must be the
-  // least.
+  // They come first where any share of redundant contacts will do. Where it must be the least, b is taken as
+  // exact first; of few contacts the chain ends at the same of several solutions as pivots do.
   if (!options.least_norm) {
     CoulombSolution holding = try_holding(problem, options.tolerance);
     if (holding.converged) return holding;
     if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options, options.enough))
       return std::move(*solution);
   }
+  constexpr std::size_t kFewestToResolution = 16;
+  if (options.least_norm && problem.mu.size() >= kFewestToResolution)
+    start = solve_many(problem, options, start);
+  if (start.converged) return start;
   CoulombOptions polished = options;
   polished.least_norm = true;
   CoulombSolution best = Chain(problem, polished, std::move(start)).run();

@@ -75,9 +75,10 @@ struct CoulombOptions {
 ///
 /// A chain of methods, cheapest first; each only guesses what the contacts do, and polish_coulomb refines the
 /// guess to round-off: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block
-/// Gauss–Seidel. Of 200 contacts and more proximal points from the interior of the cones (interior_point.hpp)
-/// come first. With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before
-/// the last two, else after them.
+/// Gauss–Seidel. Of eight contacts and more proximal points (proximal_points.hpp) come first, block by block
+/// where A has few blocks (contact_space_motion.hpp), and without a resolution sweeps before them where any
+/// share of redundant contacts will do; of more than 200 contacts nothing comes after them then. With a
+/// resolution proximal points that know it come first without `least_norm`, else last.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
 /// Forces for modes that are already known: stick rows get w = 0, slide rows w_n = 0 with λ_t = -μ λ_n slip
