@@ -27,12 +27,12 @@ struct TrigPolynomial {
   struct Jet {
     double value, slope;
   };
-  Jet at(double angle) const {
-    const double c = std::cos(angle), s = std::sin(angle);
+  /// At the unit vector (cos θ, sin θ).
+  Jet at(const Vec2& u) const {
+    const double c = u(0), s = u(1);
     const double cc = (c - s) * (c + s), ss = 2 * c * s;  // Of twice the angle.
     return {c0 + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2 * (s2 * cc - c2 * ss)};
   }
-  double value(double angle) const { return at(angle).value; }
   double size() const { return std::abs(c0) + std::abs(c1) + std::abs(s1) + std::abs(c2) + std::abs(s2); }
   // The same function of ψ, θ = ψ + shift.
   TrigPolynomial shifted(double shift) const {
@@ -52,20 +52,26 @@ TrigPolynomial slip_condition(const Mat3& K, const Vec3& b, double mu) {
 }
 
 // Newton's method from a point near a root; keeps the best point.
-double refine_root(const TrigPolynomial& h, double angle) {
-  TrigPolynomial::Jet best = h.at(angle);
+Vec2 refine_root(const TrigPolynomial& h, Vec2 u) {
+  TrigPolynomial::Jet best = h.at(u);
   for (int i = 0; i < 50 && best.value != 0 && best.slope != 0; ++i) {
-    const double next_angle = angle - best.value / best.slope;
-    const TrigPolynomial::Jet next = h.at(next_angle);
+    // The vector turned by the step d = -h / h', or by atan d, which is as near to the root.
+    const double step = -best.value / best.slope;
+    const Vec2 turned = Vec2(u(0) - step * u(1), u(1) + step * u(0)).normalized();
+    const TrigPolynomial::Jet next = h.at(turned);
     if (!(std::abs(next.value) < std::abs(best.value))) break;
-    angle = next_angle;
+    u = turned;
     best = next;
   }
-  return angle;
+  return u;
 }
 
-// All real roots, as angles: those of a quartic in t = tan(ψ/2), θ = ψ + shift.
-std::vector<double> find_roots(const TrigPolynomial& h) {
+Vec2 direction_of(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+// All real roots, as unit vectors: those of a quartic in t = tan(ψ/2), θ = ψ + shift.
+std::vector<Vec2> find_roots(const TrigPolynomial& h) {
   const double size = h.size();
   if (!(size > 0)) return {};
 
@@ -73,8 +79,8 @@ std::vector<double> find_roots(const TrigPolynomial& h) {
   double shift = 0;
   for (int i = 1; i < 8; ++i) {
     const double angle = i * std::numbers::pi / 4;
-    if (std::abs(h.value(angle + std::numbers::pi)) > std::abs(h.value(shift + std::numbers::pi)))
-      shift = angle;
+    const auto size_at_infinity = [&](double of) { return std::abs(h.at(-direction_of(of)).value); };
+    if (size_at_infinity(angle) > size_at_infinity(shift)) shift = angle;
   }
   const TrigPolynomial g = h.shifted(shift);
 
@@ -88,23 +94,20 @@ std::vector<double> find_roots(const TrigPolynomial& h) {
 
   // Real parts are only near the roots: Newton's method on h decides which of them are real, and double roots
   // count once.
-  std::vector<double> roots;
+  std::vector<Vec2> roots;
   for (int i = 0; i < 4; ++i) {
-    const double angle = refine_root(h, shift + 2 * std::atan(quartic_roots(i)));
-    if (!(std::abs(h.value(angle)) <= kRounding * size)) continue;
-    const auto is_same = [&](double other) {
-      return std::abs(std::remainder(angle - other, 2 * std::numbers::pi)) < kSameAngle;
-    };
-    if (std::none_of(roots.begin(), roots.end(), is_same)) roots.push_back(angle);
+    const Vec2 u = refine_root(h, direction_of(shift + 2 * std::atan(quartic_roots(i))));
+    if (!(std::abs(h.at(u).value) <= kRounding * size)) continue;
+    const auto is_same = [&](const Vec2& other) { return (u - other).norm() < kSameAngle; };
+    if (std::none_of(roots.begin(), roots.end(), is_same)) roots.push_back(u);
   }
   return roots;
 }
 
-// The slide along û(θ), if its force pushes and opposes the slip; backward slip slower than `slack` counts
+// The slide along û, if its force pushes and opposes the slip; backward slip slower than `slack` counts
 // too.
-std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, double mu, double angle,
+std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, double mu, const Vec2& u,
                                                double slack) {
-  const Vec2 u(std::cos(angle), std::sin(angle));
   const Vec3 direction(-mu * u(0), -mu * u(1), 1.0);
   const double normal = -b(2) / sliding_response(K, mu, u);
   if (!(normal > 0) || !std::isfinite(normal)) return std::nullopt;
@@ -133,11 +136,10 @@ double slip_rounding(const Mat3& K, const Vec3& b, const LocalCoulombSolution& s
 // Every slide; one too slow to be told from sticking counts only if nothing sticks.
 std::vector<LocalCoulombSolution> find_slides(const Mat3& K, const Vec3& b, double mu, bool sticks) {
   std::vector<LocalCoulombSolution> slides;
-  for (const double angle : find_roots(slip_condition(K, b, mu))) {
+  for (const Vec2& u : find_roots(slip_condition(K, b, mu))) {
     const double everything = std::numeric_limits<double>::infinity();
-    const std::optional<LocalCoulombSolution> slide = find_slide(K, b, mu, angle, everything);
+    const std::optional<LocalCoulombSolution> slide = find_slide(K, b, mu, u, everything);
     if (!slide) continue;
-    const Vec2 u(std::cos(angle), std::sin(angle));
     const double slack = slip_rounding(K, b, *slide);
     if (u.dot(slide->w.head<2>()) > (sticks ? slack : -slack)) slides.push_back(*slide);
   }
@@ -169,9 +171,9 @@ LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu
   // A near slip direction leads Newton's method to its root at once; else all slides are found.
   if (slip_hint) {
     const TrigPolynomial h = slip_condition(K, b, mu);
-    const double angle = refine_root(h, std::atan2((*slip_hint)(1), (*slip_hint)(0)));
-    if (std::abs(h.value(angle)) <= kRounding * h.size()) {
-      const std::optional<LocalCoulombSolution> slide = find_slide(K, b, mu, angle, 0.0);
+    const Vec2 u = refine_root(h, *slip_hint);
+    if (std::abs(h.at(u).value) <= kRounding * h.size()) {
+      const std::optional<LocalCoulombSolution> slide = find_slide(K, b, mu, u, 0.0);
       if (slide) return *slide;
     }
   }
