@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigor {
 namespace {
@@ -15,15 +16,26 @@ constexpr double kSmallestError = 1e-4;
 
 }  // namespace
 
+/// The order with which the error fell from one rejected step to the next; the method's where it did not, or
+/// where it fell faster.
+double StepController::order_between(Rejection first, Rejection second) const {
+  constexpr double least = 0.5;
+  const double seen = std::log(first.error / second.error) / std::log(first.h / second.h);
+  return seen > 0 ? std::clamp(seen, least, static_cast<double>(order_)) : order_;
+}
+
 StepDecision StepController::decide(double h, double error) {
   // A rejected step is repeated with a smaller one, as small as possible if the error is unknown.
   if (!std::isfinite(error)) {
     was_rejected_ = true;
+    rejected_ = {h, std::numeric_limits<double>::infinity()};
     return {false, kShrink * h};
   }
   if (error > 1) {
+    const double order = was_rejected_ ? order_between(rejected_, {h, error}) : order_;
     was_rejected_ = true;
-    return {false, h * std::max(kShrink, kSafety * std::pow(error, -1.0 / order_))};
+    rejected_ = {h, error};
+    return {false, h * std::max(kShrink, kSafety * std::pow(error, -1.0 / order))};
   }
   // An accepted step: proportional-integral control; it does not grow right after a rejection.
   const double bounded = std::max(error, kSmallestError);

@@ -13,9 +13,12 @@ struct StepDecision {
 ///   h ← h clamp(0.9 err^(-0.7/p) err_old^(0.4/p), 0.2, 5),
 ///
 /// err the estimate relative to the tolerance (≤ 1 is accepted), p the order. After a rejection h ← h
-/// max(0.2, 0.9 err^(-1/p)), and the next accepted step does not grow. reset() at every discontinuity
-/// (impact, contact change). Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd
-/// ed. 1996, IV.2 (step control of DOPRI5).
+/// max(0.2, 0.9 err^(-1/p)), and the next accepted step does not grow. Of rejections in a row p is the order
+/// with which the error really falls, at most the method's: where it is bounded by stability or a jump, its
+/// own order would make it fall by little each time. reset() at every discontinuity (impact, contact change).
+/// Sources: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. 1996, IV.2 (step
+/// control of DOPRI5); K. Gustafsson, Control-Theoretic Techniques for Stepsize Selection in Implicit
+/// Runge-Kutta Methods, ACM TOMS 20, 1994 (successive rejections).
 class StepController {
  public:
   explicit StepController(int order) : order_(order) {}
@@ -25,9 +28,15 @@ class StepController {
   void reset() { *this = StepController(order_); }
 
  private:
+  struct Rejection {
+    double h, error;
+  };
+  double order_between(Rejection first, Rejection second) const;
+
   int order_;
   double old_error_ = 1;
   bool was_rejected_ = false;
+  Rejection rejected_{0, 1};  ///< The last one, if was_rejected_.
 };
 
 }  // namespace rigor

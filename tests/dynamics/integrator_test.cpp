@@ -273,5 +273,22 @@ TEST(StepController, GrowsShrinksAndIsCautiousAfterARejection) {
   EXPECT_NEAR(controller.decide(-0.1, 1e30).h_next, -0.02, 1e-15);
 }
 
+// An error in proportion to h² below a method of order 5, as where a jump lies within the step: the second
+// rejection knows, and the third try is accepted. By the method's order it would be the sixth.
+TEST(StepController, RejectionsInARowFollowTheOrderThatTheErrorHas) {
+  StepController controller(5);
+  double h = 1;
+  int tries = 1;
+  for (StepDecision decision{}; !(decision = controller.decide(h, 50 * h * h)).is_accepted; ++tries)
+    h = decision.h_next;
+  EXPECT_EQ(tries, 3);
+  // Not above its own order, and not below a half, however the error falls.
+  StepController steep(5), flat(5);
+  steep.decide(1, 1e9);
+  EXPECT_NEAR(steep.decide(0.2, 32).h_next, 0.2 * 0.9 / 2, 1e-15);
+  flat.decide(1, 1.21);
+  EXPECT_NEAR(flat.decide(0.9, 1.2).h_next, 0.9 * 0.9 / (1.2 * 1.2), 1e-15);
+}
+
 }  // namespace
 }  // namespace rigor::integrator_test

@@ -43,6 +43,11 @@ IntegratorName integrator_of(IntegratorMethod method) {
   return IntegratorName::dopri5;
 }
 
+/// Whether an error estimate chooses the step size.
+bool is_controlled(IntegratorName name) {
+  return name == IntegratorName::dopri5 || name == IntegratorName::dop853;
+}
+
 }  // namespace
 
 /// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
@@ -201,9 +206,8 @@ IslandStep IslandIntegrator::step_of(StepKind kind, const Island& island, double
   // Explicit methods begin with the stage where the step begins.
   const bool is_stiff = kind == StepKind::stiff;
   const IntegratorName name = is_stiff ? IntegratorName::rodas : integrator_for(island);
-  const bool is_controlled = name == IntegratorName::dopri5 || name == IntegratorName::dop853;
   VecX lambda;
-  bool is_begin = is_controlled;
+  bool is_begin = is_controlled(name);
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
     Load now = is_begin && first ? *first : load(island, std::min(t, last), phases.first(count));
     if (is_begin && !first) first = now;
@@ -264,6 +268,48 @@ bool IslandIntegrator::has_exploded(const Island& island, const IslandStep& step
   return !(gain.energy <= share * gain.scale + roundings * gain.rounding);
 }
 
+namespace {
+
+bool slides(const Island& island, std::size_t contact) {
+  return island.states[contact].mode == ContactMode::slide && !island.contacts[contact].stop;
+}
+
+bool slides_anywhere(const Island& island) {
+  for (std::size_t i = 0; i < island.states.size(); ++i)
+    if (slides(island, i)) return true;
+  return false;
+}
+
+/// The first length to try of a step with slip: that which the error of the step before suggests, in
+/// proportion to the slip times, which bound both; without one, the slip time itself.
+double first_try(double suggested, double slip_time, std::optional<double> slip_time_before) {
+  constexpr double shortest = 0.2, longest = 2;
+  if (!slip_time_before) return std::min(suggested, slip_time);
+  if (!std::isfinite(slip_time) || !std::isfinite(*slip_time_before)) return suggested;
+  return suggested * std::clamp(slip_time / *slip_time_before, shortest, longest);
+}
+
+}  // namespace
+
+/// How long the slowest slip would take to end if it were opposed to its acceleration, where the island
+/// begins with this load: a direction is the root of a quotient, and so the motion is singular at a complex
+/// time as near as that. Slip slower than the direction tolerance keeps its direction until it is as fast.
+double IslandIntegrator::slip_time(const Island& island, const Load& load) const {
+  double time = std::numeric_limits<double>::infinity();
+  const ContactSystem system = assembler_.assemble_contacts(island, island.begin, island.start);
+  std::vector<Wrench> wrenches(system.bodies.size());
+  for (std::size_t i = 0; i < island.bodies.size(); ++i)
+    wrenches[place_of(system.bodies, island.bodies[i])] = load.wrenches[i];
+  const VecX u = relative_velocities(system), rate = free_contact_accelerations(system, wrenches);
+  for (std::size_t i = 0; i < island.states.size(); ++i) {
+    if (!slides(island, i)) continue;
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    const double speed = std::max(u.segment<2>(row).norm(), direction_tolerance_);
+    time = std::min(time, speed / rate.segment<2>(row).norm());
+  }
+  return time;
+}
+
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
                                                  const StepBounds& bounds) const {
   constexpr double useful_share = useless_share, damped_share = 1.0 / 64, share_of_longest = 0.2;
@@ -276,6 +322,12 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
   });
   StepController controller(integrator_order(integrator_for(island)));
   std::optional<Load> first;
+  double slip = std::numeric_limits<double>::infinity();
+  if (is_controlled(integrator_for(island)) && slides_anywhere(island)) {
+    first = load(island, island.begin, island.start);
+    slip = slip_time(island, *first);
+    h = std::clamp(first_try(h, slip, bounds.slip_time), bounds.least, bounds.longest);
+  }
   while (true) {
     IslandStep taken =
         step_of(bounds.needs_path ? StepKind::with_path : StepKind::end_only, island, h, first);
@@ -288,7 +340,7 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
     const bool is_lost = h <= bounds.least && island.contacts.empty() &&
                          (!is_finite || (!decision.is_accepted && has_exploded(island, taken)));
     if (is_lost) throw too_fast(model_, environment_, island.bodies, island.start, h);
-    if (decision.is_accepted || h <= bounds.least) return {std::move(taken), decision.h_next};
+    if (decision.is_accepted || h <= bounds.least) return {std::move(taken), decision.h_next, slip};
     if (may_be_stiff && decision.h_next < std::min(useful, share_of_longest * bounds.longest))
       return stiff_step(island, std::min(bounds.longest, damped), bounds);
     h = std::max(bounds.least, decision.h_next);

@@ -5,6 +5,7 @@
 #include "rigor/sim/islands/island.hpp"
 #include "rigor/sim/method/method.hpp"
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +16,8 @@ namespace rigor {
 struct ControlledStep {
   IslandStep step;
   double h_next;  ///< [s]; infinite if the method has no estimate.
+  /// How long its slowest slip would take to end where it begins [s]; infinite if none slides.
+  double slip_time = std::numeric_limits<double>::infinity();
 };
 
 /// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its
@@ -36,6 +39,8 @@ class IslandIntegrator {
   struct StepBounds {
     double least, longest, whole;  ///< [s].
     bool needs_path = true;        ///< Whether the motion within the step is asked for.
+    /// The slip time of the step whose error suggested the size of this one; none where nothing suggests one.
+    std::optional<double> slip_time;
   };
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than the least: there
   /// `error` may exceed 1. Where explicit steps would have to be shorter than a ten-thousandth of the whole
@@ -74,6 +79,7 @@ class IslandIntegrator {
   bool close_stiff_step(const Island& island, IslandStep& step) const;
   IntegratorTolerances tolerances(const Island& island) const;
   enum class StepKind { with_path, end_only, stiff };
+  double slip_time(const Island& island, const Load& load) const;
   /// `first`: the load where the step begins, which is found once for all its tries.
   IslandStep step_of(StepKind kind, const Island& island, double h, std::optional<Load>& first) const;
 

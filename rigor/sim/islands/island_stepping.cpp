@@ -64,7 +64,8 @@ IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler&
       crowding_(at(model.body_count())),
       useless_(at(model.body_count())),
       collides_(at(model.body_count())),
-      step_size_(at(model.body_count()), infinite) {
+      step_size_(at(model.body_count()), infinite),
+      slip_time_(at(model.body_count())) {
   for (const int body : colliding_bodies(model)) collides_[at(body)] = true;
 }
 
@@ -72,6 +73,7 @@ void IslandStepping::restart() {
   std::fill(crowding_.begin(), crowding_.end(), 0);
   std::fill(useless_.begin(), useless_.end(), 0);
   std::fill(step_size_.begin(), step_size_.end(), infinite);
+  std::fill(slip_time_.begin(), slip_time_.end(), std::nullopt);
 }
 
 int IslandStepping::crowding_of(const std::vector<int>& bodies) const {
@@ -177,10 +179,15 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   const int tiny_steps = crowding_of(island.bodies) / weight_of_tiny_step;
   const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
   double first = h;
-  for (const int body : island.bodies) first = std::min(first, step_size_[at(body)]);
+  std::optional<double> slip_time;
+  for (const int body : island.bodies) {
+    if (!(step_size_[at(body)] < first)) continue;
+    first = step_size_[at(body)];
+    slip_time = slip_time_[at(body)];
+  }
 
-  ControlledStep taken = integrator_.controlled_step(island, std::max(first, least),
-                                                     {least, h, target_step_, is_asked_within(island)});
+  ControlledStep taken = integrator_.controlled_step(
+      island, std::max(first, least), {least, h, target_step_, is_asked_within(island), slip_time});
   if (taken.step.dense.empty()) add_plain_paths(model_, island, taken.step);
 
   // Where the shortest step loses half of its digits the forces change faster than it: explicit stages that
@@ -210,7 +217,10 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
 
   running.wanted = std::min(target_step_, h);
   // A change of modes changes the forces: what the error said is of the past.
-  for (const int body : island.bodies) step_size_[at(body)] = running.change ? infinite : taken.h_next;
+  for (const int body : island.bodies) {
+    step_size_[at(body)] = running.change ? infinite : taken.h_next;
+    slip_time_[at(body)] = running.change ? std::nullopt : std::optional(taken.slip_time);
+  }
 }
 
 /// Counts steps that the error has made too short to be of use. They end the run when there are too many in a

@@ -11,8 +11,10 @@
 namespace rigor {
 
 /// In which order to eliminate nodes that are coupled in pairs, and which blocks are not zero then: found
-/// once for a graph, used for all matrices on it. The order is one of approximate minimum degree (Amestoy,
-/// Davis and Duff, An Approximate Minimum Degree Ordering Algorithm, 1996), by Eigen.
+/// once for a graph, used for all matrices on it. The order is one of minimum degree (Tinney and Walker,
+/// Direct Solutions of Sparse Network Equations, Proc. IEEE 55, 1967), of more than 32 nodes of approximate
+/// minimum degree (Amestoy, Davis and Duff, An Approximate Minimum Degree Ordering Algorithm, 1996), by
+/// Eigen.
 class EliminationPattern {
  public:
   /// Pairs of different nodes below `nodes`, in any order, as often as they occur.

@@ -79,6 +79,13 @@ double MotionModesSystem::size_of_terms(const VecX& lambda) const {
   return std::max(problem_.laws.b.cwiseAbs().maxCoeff(), largest_term(problem_.rows, lambda));
 }
 
+/// A λ + b.
+VecX MotionModesSystem::rates_of(const VecX& lambda) const {
+  const ContactRows& rows = problem_.rows;
+  const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
+  return contact_rates(rows, node_accelerations(rows, p)) + problem_.laws.b;
+}
+
 void MotionModesSystem::iterate() {
   std::vector<Mat3> forces(modes_.size(), Mat3::Zero()), equations = forces;
   bool is_symmetric = true;
@@ -107,17 +114,21 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
   constexpr int kMaxRounds = 10;
   const ContactRows& rows = problem_.rows;
   VecX lambda = lambda_, z = z_;
+  double least = std::numeric_limits<double>::infinity(), negligible = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     // The misses of the equations; rounds continue while these fall.
-    const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
-    const VecX w = contact_rates(rows, node_accelerations(rows, p)) + problem_.laws.b;
+    const bool is_at_zero = round == 0 && lambda.isZero(0);
+    const VecX w = is_at_zero ? problem_.laws.b : rates_of(lambda);
     const VecX misses = restrict_to_equations(-w);
-    const double miss = misses.cwiseAbs().maxCoeff() / size_of_terms(lambda);
-    if (round > 0 && !(miss < 0.7 * miss_)) return;
-    miss_ = miss;
+    const double miss = misses.cwiseAbs().maxCoeff();
+    if (round > 0 && !(miss < 0.7 * least)) break;
+    least = miss;
     lambda_ = lambda;
     z_ = z;
-    if (miss <= 0.5 * kEpsilon) return;
+    // The terms hardly change after the first round.
+    if (round <= 1)
+      negligible = 0.5 * kEpsilon * (is_at_zero ? w.cwiseAbs().maxCoeff() : size_of_terms(lambda));
+    if (miss <= negligible) break;
 
     // Accelerations a that take away the misses, and forces along the force directions that make them.
     const VecX a = to_motion.solve(contact_wrenches(rows, expand_equations(misses)));
@@ -125,6 +136,7 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
     z += dz;
     lambda += restrict_to_forces(contact_rates(rows, dz));
   }
+  miss_ = least / size_of_terms(lambda_);
 }
 
 // Nearest λ in the cones: Coulomb cone for a stick contact, half-line for a slide.

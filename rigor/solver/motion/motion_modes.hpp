@@ -55,6 +55,7 @@ class MotionModesSystem {
   std::vector<Mat3> projection_weights(const VecX& lambda) const;
   Dual evaluate(const VecX& z, const VecX& p) const;
   double size_of_terms(const VecX& lambda) const;
+  VecX rates_of(const VecX& lambda) const;
   void iterate();
   void refine(const NodeSystem& to_motion, const NodeSystem& to_forces);
 
