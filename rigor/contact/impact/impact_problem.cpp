@@ -13,8 +13,9 @@ namespace rigor {
 
 namespace {
 
-/// From so many contacts on the sparse rows are faster than the dense A.
-constexpr std::size_t many_contacts = 12;
+/// From so many contacts on the sparse rows are faster than the dense A, ten times already of these few; of
+/// fewer the forces of least norm cost little.
+constexpr std::size_t worth_rows = 5, worth_jointed_rows = 12;
 
 /// From so many on the dense A is not formed, unless the rows leave a problem to it.
 constexpr std::size_t too_many_for_matrix = 48;
@@ -47,8 +48,9 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
                                 (is_ascending ? 1.0 : -1.0) * system.frames[i], contact.friction,
                                 restitutions[i], contact.tangential_restitution});
   }
-  if (problem.count() >= many_contacts)
-    (bodies_bear_all(system) ? problem.rows : problem.jointed_rows) =
+  const bool by_bodies = bodies_bear_all(system);
+  if (problem.count() >= (by_bodies ? worth_rows : worth_jointed_rows))
+    (by_bodies ? problem.rows : problem.jointed_rows) =
         std::make_shared<const ContactRows>(motion_rows(system));
   problem.A = problem.rows && problem.count() >= too_many_for_matrix ? DelassusOperator(problem.rows)
                                                                      : DelassusOperator(delassus(system));

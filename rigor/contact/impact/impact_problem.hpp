@@ -30,7 +30,7 @@ struct ImpactProblem {
   std::vector<ImpactContact> contacts;  ///< n.
   DelassusOperator A;                   ///< 3n × 3n [1/kg].
   VecX u;                               ///< Relative velocities before, 3n [m/s].
-  /// What A is made of, where the contacts are many and bodies alone bear them: else none.
+  /// What A is made of, where the contacts are more than a few and bodies alone bear them: else none.
   std::shared_ptr<const ContactRows> rows = {};
   /// The same where joints or loads bear them too: only all contacts together are solved on these.
   std::shared_ptr<const ContactRows> jointed_rows = {};
@@ -86,8 +86,8 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 
 /// The same for all contacts of the problem, from velocities b (3n). Where it has rows they are solved, with
 /// the share of the load that proximal points from no load lead to: it follows the symmetry of the problem
-/// and not the order of the contacts, but is not of least norm, whose search takes twenty times as long for
-/// many contacts. By A else, and what the rows leave.
+/// and not the order of the contacts, but is not of least norm, whose search takes ten to twenty times as
+/// long. By A else, and what the rows leave.
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu);
 
 /// μ of all contacts.
