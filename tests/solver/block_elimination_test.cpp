@@ -76,6 +76,46 @@ TEST(BlockElimination, SolvesWhatADenseFactorisationSolves) {
   }
 }
 
+/// One elimination for matrices of which each has other blocks on the graph: what one of them leaves where
+/// the next has nothing is not seen, whether it was symmetric or not.
+TEST(BlockElimination, LeavesOutPairsThatHaveNoBlock) {
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto random = [&] { return MatX(MatX::NullaryExpr(6, 6, [&] { return uniform(generator); })); };
+  for (int example = 0; example < 40; ++example) {
+    const int nodes = 2 + example % 15;
+    std::vector<std::pair<int, int>> pairs;
+    for (int a = 0; a < nodes; ++a)
+      for (int b = 0; b < a; ++b)
+        if (uniform(generator) < -0.4) pairs.emplace_back(a, b);
+    const EliminationPattern pattern(static_cast<std::size_t>(nodes), pairs);
+    BlockElimination blocks(pattern, false);
+    for (int matrix = 0; matrix < 6; ++matrix) {
+      SCOPED_TRACE(testing::Message() << example << ", matrix " << matrix);
+      const bool is_symmetric = matrix % 3 == 1;
+      blocks.restart(is_symmetric);
+      MatX dense = MatX::Zero(6 * nodes, 6 * nodes);
+      const auto add = [&](int row, int column, const MatX& block) {
+        blocks.add(row, column, Block6(block));
+        dense.block<6, 6>(6 * row, 6 * column) += block;
+        if (is_symmetric && row != column) dense.block<6, 6>(6 * column, 6 * row) += block.transpose();
+      };
+      for (int node = 0; node < nodes; ++node) {
+        const MatX half = random();
+        add(node, node, half * half.transpose() + 3.0 * nodes * MatX::Identity(6, 6));
+      }
+      for (const auto& [a, b] : pairs) {
+        if (uniform(generator) < 0) continue;
+        add(a, b, random());
+        if (!is_symmetric && uniform(generator) < 0.5) add(b, a, random());
+      }
+      ASSERT_TRUE(blocks.factor());
+      const VecX wanted = VecX::NullaryExpr(6 * nodes, [&] { return uniform(generator); });
+      EXPECT_LE((blocks.solve(dense * wanted) - wanted).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+}
+
 TEST(BlockElimination, SaysThatAMatrixIsSingular) {
   const EliminationPattern pattern(2, {{0, 1}});
   BlockElimination blocks(pattern, false);

@@ -13,7 +13,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -152,23 +151,30 @@ BlockElimination::BlockElimination(const EliminationPattern& pattern, bool is_sy
     : pattern_(pattern),
       is_symmetric_(is_symmetric),
       blocks_(pattern.node_count() + 2 * pattern.pair_count()),
+      is_used_(pattern.pair_count()),
       swaps_(pattern.node_count()) {
   restart(is_symmetric);
 }
 
 void BlockElimination::restart(bool is_symmetric) {
   is_symmetric_ = is_symmetric;
-  const std::size_t count = is_symmetric ? first_lower() : blocks_.size();
-  if (count > 0) std::memset(blocks_.front().data(), 0, count * sizeof(Block6));
+  for (std::size_t place = 0; place < pattern_.node_count(); ++place) blocks_[place].setZero();
+  std::fill(is_used_.begin(), is_used_.end(), false);
+  // What nodes are attached to takes over their blocks as they come.
+  if (!attachments_.empty()) use_all();
   scales_.clear();
+}
+
+void BlockElimination::use_all() {
+  for (std::size_t pair = 0; pair < is_used_.size(); ++pair) use(pair);
 }
 
 void BlockElimination::add(int row_node, int column_node, const Block6& block) {
   const std::size_t slot = pattern_.slot(row_node, column_node);
   if (is_read(slot))
-    blocks_[slot] += block;
+    this->block(slot) += block;
   else
-    blocks_[slot - pattern_.pair_count()] += block.transpose();
+    this->block(slot - pattern_.pair_count()) += block.transpose();
 }
 
 bool BlockElimination::factor(const VecX& scales) {
@@ -195,6 +201,7 @@ void BlockElimination::scale() {
     const auto S = scales_[place].asDiagonal();
     blocks_[place] = S * blocks_[place] * S;
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i) {
+      if (!is_used_[i]) continue;
       const auto S_later = scales_[pattern_.second(i)].asDiagonal();
       upper[i] = S * upper[i] * S_later;
       if (!is_symmetric_) lower[i] = S_later * lower[i] * S;
@@ -257,6 +264,7 @@ void BlockElimination::solve_pivot(const Block6& LU, const Swaps& swapped, Vec6&
 
 void BlockElimination::attach(int node, const NodeAttachment& attachment) {
   attachments_.resize(pattern_.node_count());
+  use_all();
   const std::size_t place = at(pattern_.place(node));
   PlaceAttachment& held = attachments_[place];
   held = {true, place, {}, attachment.V, attachment.T};
@@ -318,19 +326,25 @@ void BlockElimination::move_to_parent(std::size_t place) {
 void BlockElimination::eliminate(std::size_t place) {
   Block6* const upper = blocks_.data() + pattern_.node_count();
   Block6* const lower = blocks_.data() + first_lower();
-  const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1);
-  count_work((1 + end - begin) * (1 + end - begin));
+  const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1), count = end - begin;
+  count_work((1 + count) * (1 + count));
+  later_used_.clear();
   for (std::size_t i = begin; i < end; ++i) {
+    if (!is_used_[i]) continue;
+    later_used_.push_back(i);
     if (is_symmetric_) lower[i] = upper[i].transpose();
     solve_pivot(blocks_[place], swaps_[place], upper[i]);
   }
-  const std::size_t* changed = pattern_.changed(place);
-  for (std::size_t i = begin; i < end; ++i) {
-    subtract_product(lower[i], upper[i], blocks_[pattern_.second(i)]);
-    for (std::size_t k = i + 1; k < end; ++k) {
-      const std::size_t target = *changed++;
-      subtract_product(lower[i], upper[k], upper[target]);
-      if (!is_symmetric_) subtract_product(lower[k], upper[i], lower[target]);
+  for (auto i = later_used_.begin(); i != later_used_.end(); ++i) {
+    subtract_product(lower[*i], upper[*i], blocks_[pattern_.second(*i)]);
+    // Of the pairs that the place changes, those of its i-th later place.
+    const std::size_t before = *i - begin;
+    const std::size_t* changed = pattern_.changed(place) + before * (2 * count - before - 1) / 2;
+    for (auto k = i + 1; k != later_used_.end(); ++k) {
+      const std::size_t target = changed[*k - *i - 1];
+      use(target);
+      subtract_product(lower[*i], upper[*k], upper[target]);
+      if (!is_symmetric_) subtract_product(lower[*k], upper[*i], lower[target]);
     }
   }
 }
@@ -353,11 +367,11 @@ void BlockElimination::solve(const VecX& c, VecX& solution) const {
     }
     solve_pivot(blocks_[place], swaps_[place], x[place]);
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
-      x[pattern_.second(i)].noalias() -= lower[i] * x[place];
+      if (is_used_[i]) x[pattern_.second(i)].noalias() -= lower[i] * x[place];
   }
   for (std::size_t place = x.size(); place-- > 0;) {
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
-      x[place].noalias() -= upper[i] * x[pattern_.second(i)];
+      if (is_used_[i]) x[place].noalias() -= upper[i] * x[pattern_.second(i)];
     if (attachments_.empty() || !attachments_[place].is_held) continue;
     x[place] = Vec6(attachments_[place].V * x[place]);
     if (hangs_on_node(place)) x[place] += attachments_[place].T * x[attachments_[place].parent];

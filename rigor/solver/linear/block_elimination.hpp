@@ -75,8 +75,11 @@ class BlockElimination {
   /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
   /// different nodes, whichever.
   void add(int row_node, int column_node, const Block6& block);
-  /// The block at a slot of the pattern; of symmetric matrices not those below the diagonal.
-  Block6& block(std::size_t slot) { return blocks_[slot]; }
+  /// The block at a slot of the pattern, to add to; of symmetric matrices not those below the diagonal.
+  Block6& block(std::size_t slot) {
+    if (slot >= pattern_.node_count()) use(pair_of(slot));
+    return blocks_[slot];
+  }
   /// Whether a slot is above the diagonal or on it, or the matrix is not symmetric.
   bool is_read(std::size_t slot) const { return !is_symmetric_ || slot < first_lower(); }
 
@@ -99,6 +102,17 @@ class BlockElimination {
   /// block.
   using Swaps = std::array<int, 6>;
   std::size_t first_lower() const { return pattern_.node_count() + pattern_.pair_count(); }
+  std::size_t pair_of(std::size_t slot) const {
+    return slot < first_lower() ? slot - pattern_.node_count() : slot - first_lower();
+  }
+  /// The blocks of the pair may be other than zero from now on.
+  void use(std::size_t pair) {
+    if (is_used_[pair]) return;
+    is_used_[pair] = true;
+    blocks_[pattern_.node_count() + pair].setZero();
+    if (!is_symmetric_) blocks_[first_lower() + pair].setZero();
+  }
+  void use_all();
   static bool factor_pivot(Block6& A, Swaps& swapped);
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Block6& X);
   static void solve_pivot(const Block6& LU, const Swaps& swapped, Vec6& x);
@@ -120,9 +134,13 @@ class BlockElimination {
   std::vector<Vec6> scales_;  ///< One a place; none: 1.
   std::vector<Block6> blocks_;  ///< By slot. Above the diagonal A_pk, once p is eliminated A_pp⁻¹ A_pk; below
                                 ///< it A_kp, of symmetric matrices from when p is eliminated.
+  /// By pair: whether its blocks may be other than zero. Of heaps half of the contacts are open, and what
+  /// would be done to zeros is left out.
+  std::vector<char> is_used_;
   std::vector<Swaps> swaps_;                  ///< By place.
   std::vector<PlaceAttachment> attachments_;  ///< By place; none: no node is held.
-  mutable std::vector<Vec6> x_;               ///< By place: scratch.
+  mutable std::vector<Vec6> x_;               ///< By place: scratch,
+  std::vector<std::size_t> later_used_;       ///< and pairs.
 };
 
 }  // namespace rigor
