@@ -36,7 +36,7 @@ TEST(SecondOrderCone, ScalingMakesForcesAndRatesTheSame) {
   std::mt19937 generator(2);
   for (int k = 0; k < 100; ++k) {
     const Vec3 x = inside_cone(generator), y = inside_cone(generator);
-    const NesterovToddScaling scaling(x, y);
+    const NesterovToddScaling scaling(x, jordan_square(x), y, jordan_square(y));
     const double size = (scaling.W * x).norm();
     EXPECT_LE((scaling.W * x - scaling.inverse * y).norm(), 1e-9 * size);
     EXPECT_LE((scaling.W * scaling.inverse - Mat3::Identity()).norm(), 1e-9);
@@ -51,7 +51,7 @@ TEST(SecondOrderCone, StepsEndWhereTheBorderIs) {
   int ending = 0;
   for (int k = 0; k < 200; ++k) {
     const Vec3 x = inside_cone(generator), d(uniform(generator), uniform(generator), uniform(generator));
-    const double t = step_to_border(x, d);
+    const double t = step_to_border(x, jordan_square(x), d);
     if (!std::isfinite(t)) {
       EXPECT_GE(depth(d), 0);
       continue;
@@ -62,7 +62,7 @@ TEST(SecondOrderCone, StepsEndWhereTheBorderIs) {
   }
   EXPECT_GT(ending, 100);
   // Without friction the cone is a ray, and only its end is met.
-  EXPECT_DOUBLE_EQ(step_to_border({2, 0, 0}, {-4, 0, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(step_to_border({2, 0, 0}, 4, {-4, 0, 0}), 0.5);
 }
 
 /// Largest |λ - P(λ - c w)| / c as a share of the largest term.

@@ -23,6 +23,8 @@ double law_residual(const CoulombProblem& laws, const VecX& diagonal, double siz
     const Vec3 force = lambda.segment<3>(row);
     const Vec3 motion = w.segment<3>(row);
     const double mu = laws.mu[k];
+    // An open contact misses nothing.
+    if (motion(2) >= 0 && force.isZero(0)) continue;
 
     // Signorini's law: λ_n = max(0, λ_n - ρ w_n).
     const double normal = std::abs(force(2) - std::max(0.0, force(2) - rho * motion(2)));

@@ -23,11 +23,12 @@ struct ConeContact {
   double normal = 1;   ///< 1 / μ; of a contact without friction 1,
   double tangent = 0;  ///< and this 0 in place of 1.
   Vec3 b, x, y, dx = Vec3::Zero(), dy = Vec3::Zero();
-  Mat3 W, inverse;  ///< Scaling of x and y.
-  Mat3 stiffness;   ///< -dx / dy.
-  Vec2 slope;       ///< dy / d(T w) = 1 + e₀ (0, slope)ᵀ: what |w_t| adds.
-  Vec3 misfit;      ///< y - |y_t| e₀ - T (L v) - b.
-  Vec3 driven;      ///< dx where dy = 0.
+  double square_x, square_y;  ///< jordan_squares.
+  Mat3 W, inverse;            ///< Scaling of x and y.
+  Mat3 stiffness;             ///< -dx / dy.
+  Vec2 slope;                 ///< dy / d(T w) = 1 + e₀ (0, slope)ᵀ: what |w_t| adds.
+  Vec3 misfit;                ///< y - |y_t| e₀ - T (L v) - b.
+  Vec3 driven;                ///< dx where dy = 0.
 
   Vec3 to_cone(const Vec3& w) const { return {normal * w(2), tangent * w(0), tangent * w(1)}; }
   Vec3 from_cone(const Vec3& force) const {
@@ -114,8 +115,9 @@ class InteriorPoint {
     double worst = 0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
-      const double slip = std::hypot(contact.y.tail<2>().norm(), kRounding * speed_);
-      contact.slope = contact.y.tail<2>() / slip;
+      const double rounding = kRounding * speed_;
+      const double slip = std::sqrt(contact.y.tail<2>().squaredNorm() + rounding * rounding);
+      contact.slope = (1 / slip) * contact.y.tail<2>();
       contact.misfit = contact.y - contact.to_cone(rates_.segment<3>(3 * static_cast<Index>(k))) - contact.b;
       contact.misfit(0) -= slip;
       worst = std::max(worst, contact.misfit.cwiseAbs().maxCoeff());
@@ -128,7 +130,9 @@ class InteriorPoint {
   void linearise() {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       ConeContact& contact = contacts_[k];
-      const NesterovToddScaling scaling(contact.x, contact.y);
+      contact.square_x = jordan_square(contact.x);
+      contact.square_y = jordan_square(contact.y);
+      const NesterovToddScaling scaling(contact.x, contact.square_x, contact.y, contact.square_y);
       contact.W = scaling.W;
       contact.inverse = scaling.inverse;
       contact.stiffness = scaling.inverse_square;
@@ -159,7 +163,8 @@ class InteriorPoint {
 
   double length_to_border(double most) const {
     for (const ConeContact& contact : contacts_)
-      most = std::min({most, step_to_border(contact.x, contact.dx), step_to_border(contact.y, contact.dy)});
+      most = std::min({most, step_to_border(contact.x, contact.square_x, contact.dx),
+                       step_to_border(contact.y, contact.square_y, contact.dy)});
     return most;
   }
 

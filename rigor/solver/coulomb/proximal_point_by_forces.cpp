@@ -49,7 +49,7 @@ void SearchByForces::measure(const Iterate& iterate, Residual& residual) {
   count_work(count);
   residual.F.resize(iterate.lambda.size());
   residual.modes.resize(count);
-  residual.slopes.resize(count);
+  residual.x.resize(iterate.lambda.size());
   // What M v - Lᵀ λ misses, as an energy.
   momentum_ = iterate.momentum - iterate.generalised_force;
   from_->motion.apply_inverse_mass(momentum_, velocity_);
@@ -57,9 +57,17 @@ void SearchByForces::measure(const Iterate& iterate, Residual& residual) {
   // What the law misses of each force, in the same unit.
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = static_cast<Index>(k);
-    const ProjectedForce projection = alart_curnier(from_->laws, k, argument(iterate, i));
+    const Vec3 x = argument(iterate, i);
+    residual.x.segment<3>(3 * i) = x;
+    // An open contact is to have no force.
+    if (!(x.z() > 0)) {
+      residual.modes[k] = ContactMode::open;
+      residual.F.segment<3>(3 * i) = iterate.lambda.segment<3>(3 * i);
+      square += residual.F.segment<3>(3 * i).squaredNorm() / from_->masses(i);
+      continue;
+    }
+    const ProjectedForce projection = alart_curnier(from_->laws, k, x);
     residual.modes[k] = projection.mode;
-    residual.slopes[k] = projection.slope;
     residual.F.segment<3>(3 * i) = iterate.lambda.segment<3>(3 * i) - projection.force;
     square += residual.F.segment<3>(3 * i).squaredNorm() / from_->masses(i);
   }
@@ -77,7 +85,7 @@ void SearchByForces::linearise(const Residual& residual) {
   inverse_.resize(modes_.size());
   for (std::size_t k = 0; k < D_.size(); ++k) {
     if (modes_[k] != ContactMode::slide) continue;
-    const Mat3& S = residual.slopes[k];
+    const Mat3 S = alart_curnier(from_->laws, k, residual.x.segment<3>(3 * static_cast<Index>(k))).slope;
     inverse_[k] = Mat3(Mat3::Identity() - (1 - kScale / rho) * S).inverse();
     D_[k] = kScale * from_->masses(static_cast<Index>(k)) * inverse_[k] * S;
   }

@@ -27,8 +27,8 @@ class SearchByForces {
   struct Residual {
     VecX F;  ///< λ - P(λ - c w) (3n).
     std::vector<ContactMode> modes;
-    std::vector<Mat3> slopes;  ///< dP / dx, one per contact.
-    double error = 0;          ///< Of F and of M v - Lᵀ λ.
+    VecX x;            ///< λ - c w (3n), what P projects.
+    double error = 0;  ///< Of F and of M v - Lᵀ λ.
   };
   /// λ - c w of a contact.
   Vec3 argument(const Iterate& iterate, Eigen::Index contact) const;

@@ -28,6 +28,23 @@ void add_wrench(const double* J, const double* lambda, double* p) {
   }
 }
 
+/// The same with |J|, of sizes.
+void add_sizes_of_rates(const double* J, const double* V, double* w) {
+  const TwoDoubles v0 = two_of(V), v1 = two_of(V + 2), v2 = two_of(V + 4);
+  for (int r = 0; r < 3; ++r, J += 6) {
+    const TwoDoubles sum =
+        size_of(two_of(J)) * v0 + size_of(two_of(J + 2)) * v1 + size_of(two_of(J + 4)) * v2;
+    w[r] += sum[0] + sum[1];
+  }
+}
+void add_size_of_wrench(const double* J, const double* lambda, double* p) {
+  for (int c = 0; c < 6; c += 2) {
+    const TwoDoubles of_row = lambda[0] * size_of(two_of(J + c)) + (lambda[1] * size_of(two_of(J + 6 + c)) +
+                                                                    lambda[2] * size_of(two_of(J + 12 + c)));
+    put_two(two_of(p + c) + of_row, p + c);
+  }
+}
+
 }  // namespace
 
 void contact_rates(const ContactRows& rows, const VecX& V, VecX& rates) {
@@ -204,14 +221,14 @@ VecX contact_diagonal(const ContactRows& rows) {
 }
 
 double largest_term(const ContactRows& rows, const VecX& lambda) {
-  const auto sized = [](const ContactRows::Block& J) { return ContactRows::Block(J.cwiseAbs()); };
   // |Jᵀ| |λ| of each node, then |M⁻¹| times that in its place.
   VecX of_nodes = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
     const Vec3 size_of_force = lambda.segment<3>(3 * static_cast<Index>(i)).cwiseAbs();
+    if (size_of_force.isZero(0)) continue;
     for (const ContactRows::Side& side : rows.contacts[i])
       if (side.node >= 0)
-        add_wrench(sized(side.J).data(), size_of_force.data(), of_nodes.data() + 6 * side.node);
+        add_size_of_wrench(side.J.data(), size_of_force.data(), of_nodes.data() + 6 * side.node);
   }
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
     auto own = of_nodes.segment<6>(6 * static_cast<Index>(k));
@@ -222,7 +239,7 @@ double largest_term(const ContactRows& rows, const VecX& lambda) {
   for (const ContactRows::Sides& sides : rows.contacts) {
     Vec3 sizes = Vec3::Zero();
     for (const ContactRows::Side& side : sides)
-      if (side.node >= 0) add_rates(sized(side.J).data(), of_nodes.data() + 6 * side.node, sizes.data());
+      if (side.node >= 0) add_sizes_of_rates(side.J.data(), of_nodes.data() + 6 * side.node, sizes.data());
     largest = std::max(largest, sizes.maxCoeff());
   }
   return largest;

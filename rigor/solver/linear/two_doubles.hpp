@@ -16,4 +16,11 @@ inline void put_two(TwoDoubles two, double* to) {
   std::memcpy(to, &two, sizeof(two));
 }
 
+/// |a| of both.
+inline TwoDoubles size_of(TwoDoubles two) {
+  using TwoWords = long long __attribute__((vector_size(16)));
+  constexpr long long all_but_sign = 0x7fffffffffffffffLL;
+  return reinterpret_cast<TwoDoubles>(reinterpret_cast<TwoWords>(two) & TwoWords{all_but_sign, all_but_sign});
+}
+
 }  // namespace rigor

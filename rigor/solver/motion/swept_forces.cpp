@@ -43,6 +43,12 @@ SweptContact swept_contact(const ContactRows& rows, const ContactRows::Sides& si
   return contact;
 }
 
+/// w_n += the normal row of J V, to the last bit as add_rates() does it.
+void add_normal_rate(const SweptContact::Side& side, const VecX& V, double& w_n) {
+  const double *J = side.J.data() + 2, *v = V.data() + side.node;
+  for (int c = 0; c < 6; ++c, J += 4) w_n += v[c] * *J;
+}
+
 /// w += J V.
 void add_rates(const SweptContact::Side& side, const VecX& V, Vec3& w) {
   const double *J = side.J.data(), *v = V.data() + side.node;
@@ -80,13 +86,19 @@ VecX swept_forces(const MotionProblem& problem, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     count_work(contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      // The rates as they are.
       const SweptContact& contact = contacts[i];
       Vec3 w = laws.b.segment<3>(3 * static_cast<Index>(i));
+      auto own = lambda.segment<3>(3 * static_cast<Index>(i));
+      // Half of the contacts of a heap are open, and stay so whatever their slips.
+      if (own(2) == 0) {
+        double w_n = w(2);
+        for (int s = 0; s < contact.side_count; ++s) add_normal_rate(contact.sides[at(s)], V, w_n);
+        if (w_n >= 0) continue;
+      }
+      // The rates as they are.
       for (int s = 0; s < contact.side_count; ++s) add_rates(contact.sides[at(s)], V, w);
 
       // The forces that they ask for, in their cone.
-      auto own = lambda.segment<3>(3 * static_cast<Index>(i));
       Vec3 force(own(0) - contact.tangent * w(0), own(1) - contact.tangent * w(1),
                  std::max(0.0, own(2) - contact.normal * w(2)));
       const double length = force.head<2>().norm(), most = laws.mu[i] * force(2);
