@@ -49,7 +49,7 @@ CoulombProblem block_on_its_corners(double error) {
   return problem;
 }
 
-/// Contact problems of steps of random piles that the other methods leave unsolved (tests/data).
+/// Hard contact problems of steps of random piles (tests/data).
 struct HardProblem {
   std::string name;
   CoulombProblem problem;
@@ -94,7 +94,7 @@ double largest_miss(const HardProblem& hard, const CoulombSolution& solution) {
   return worst;
 }
 
-TEST(ProximalPoints, SolveWhatTakesManySweeps) {
+TEST(ProximalPoints, SolveHardContacts) {
   for (const HardProblem& hard : hard_problems()) {
     const std::optional<CoulombSolution> solution = solve(hard.problem, hard.resolution);
     ASSERT_TRUE(solution) << hard.name;

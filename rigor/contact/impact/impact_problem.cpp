@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-/// From so many contacts on the sparse rows are faster than the dense A, ten times already of these few; of
-/// fewer the forces of least norm cost little.
+/// From so many contacts on the sparse rows are faster than the dense A, three to twelve times already of
+/// these few; of fewer the forces of least norm cost little.
 constexpr std::size_t worth_rows = 5, worth_jointed_rows = 12;
 
 /// From so many on the dense A is not formed, unless the rows leave a problem to it.

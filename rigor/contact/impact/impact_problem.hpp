@@ -86,8 +86,8 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 
 /// The same for all contacts of the problem, from velocities b (3n). Where it has rows they are solved, with
 /// the share of the load that proximal points from no load lead to: it follows the symmetry of the problem
-/// and not the order of the contacts, but is not of least norm, whose search takes ten to twenty times as
-/// long. By A else, and what the rows leave.
+/// and not the order of the contacts, but is not of least norm, whose search takes three to twenty times
+/// as long. By A else, and what the rows leave.
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu);
 
 /// μ of all contacts.

@@ -270,8 +270,10 @@ bool IslandIntegrator::has_exploded(const Island& island, const IslandStep& step
 
 namespace {
 
+/// Whether the force of a contact depends on the direction of its slip.
 bool slides(const Island& island, std::size_t contact) {
-  return island.states[contact].mode == ContactMode::slide && !island.contacts[contact].stop;
+  const Contact& of = island.contacts[contact];
+  return island.states[contact].mode == ContactMode::slide && !of.stop && of.friction > 0;
 }
 
 bool slides_anywhere(const Island& island) {
@@ -281,19 +283,20 @@ bool slides_anywhere(const Island& island) {
 }
 
 /// The first length to try of a step with slip: that which the error of the step before suggests, in
-/// proportion to the slip times, which bound both; without one, the slip time itself.
-double first_try(double suggested, double slip_time, std::optional<double> slip_time_before) {
+/// proportion to the slip times, which bound both; where nothing slid then, the slip time at most.
+double first_try(double suggested, double slip_time, double slip_time_before) {
   constexpr double shortest = 0.2, longest = 2;
-  if (!slip_time_before) return std::min(suggested, slip_time);
-  if (!std::isfinite(slip_time) || !std::isfinite(*slip_time_before)) return suggested;
-  return suggested * std::clamp(slip_time / *slip_time_before, shortest, longest);
+  if (!std::isfinite(slip_time)) return suggested;
+  if (!std::isfinite(slip_time_before)) return std::min(suggested, slip_time);
+  return suggested * std::clamp(slip_time / slip_time_before, shortest, longest);
 }
 
 }  // namespace
 
-/// How long the slowest slip would take to end if it were opposed to its acceleration, where the island
-/// begins with this load: a direction is the root of a quotient, and so the motion is singular at a complex
-/// time as near as that. Slip slower than the direction tolerance keeps its direction until it is as fast.
+/// The least time in which one of the slips would end if it were opposed to its acceleration, where the
+/// island begins with this load: a direction is the root of a quotient, and so the motion is singular at a
+/// complex time as near as that. Slip slower than the direction tolerance keeps its direction until it is as
+/// fast; none at all has no direction that could turn.
 double IslandIntegrator::slip_time(const Island& island, const Load& load) const {
   double time = std::numeric_limits<double>::infinity();
   const ContactSystem system = assembler_.assemble_contacts(island, island.begin, island.start);
@@ -305,7 +308,7 @@ double IslandIntegrator::slip_time(const Island& island, const Load& load) const
     if (!slides(island, i)) continue;
     const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
     const double speed = std::max(u.segment<2>(row).norm(), direction_tolerance_);
-    time = std::min(time, speed / rate.segment<2>(row).norm());
+    if (speed > 0) time = std::min(time, speed / rate.segment<2>(row).norm());
   }
   return time;
 }

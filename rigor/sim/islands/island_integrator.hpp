@@ -16,7 +16,8 @@ namespace rigor {
 struct ControlledStep {
   IslandStep step;
   double h_next;  ///< [s]; infinite if the method has no estimate.
-  /// How long its slowest slip would take to end where it begins [s]; infinite if none slides.
+  /// The least time in which one of its slips would end, opposed, where it begins [s]; infinite if none
+  /// slides.
   double slip_time = std::numeric_limits<double>::infinity();
 };
 
@@ -39,8 +40,9 @@ class IslandIntegrator {
   struct StepBounds {
     double least, longest, whole;  ///< [s].
     bool needs_path = true;        ///< Whether the motion within the step is asked for.
-    /// The slip time of the step whose error suggested the size of this one; none where nothing suggests one.
-    std::optional<double> slip_time;
+    /// The slip time of the step whose error suggested the size of this one; infinite where nothing slid or
+    /// nothing suggests one.
+    double slip_time = std::numeric_limits<double>::infinity();
   };
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than the least: there
   /// `error` may exceed 1. Where explicit steps would have to be shorter than a ten-thousandth of the whole

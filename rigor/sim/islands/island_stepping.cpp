@@ -65,7 +65,7 @@ IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler&
       useless_(at(model.body_count())),
       collides_(at(model.body_count())),
       step_size_(at(model.body_count()), infinite),
-      slip_time_(at(model.body_count())) {
+      slip_time_(at(model.body_count()), infinite) {
   for (const int body : colliding_bodies(model)) collides_[at(body)] = true;
 }
 
@@ -73,7 +73,7 @@ void IslandStepping::restart() {
   std::fill(crowding_.begin(), crowding_.end(), 0);
   std::fill(useless_.begin(), useless_.end(), 0);
   std::fill(step_size_.begin(), step_size_.end(), infinite);
-  std::fill(slip_time_.begin(), slip_time_.end(), std::nullopt);
+  std::fill(slip_time_.begin(), slip_time_.end(), infinite);
 }
 
 int IslandStepping::crowding_of(const std::vector<int>& bodies) const {
@@ -179,7 +179,7 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   const int tiny_steps = crowding_of(island.bodies) / weight_of_tiny_step;
   const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
   double first = h;
-  std::optional<double> slip_time;
+  double slip_time = infinite;
   for (const int body : island.bodies) {
     if (!(step_size_[at(body)] < first)) continue;
     first = step_size_[at(body)];
@@ -219,7 +219,7 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   // A change of modes changes the forces: what the error said is of the past.
   for (const int body : island.bodies) {
     step_size_[at(body)] = running.change ? infinite : taken.h_next;
-    slip_time_[at(body)] = running.change ? std::nullopt : std::optional(taken.slip_time);
+    slip_time_[at(body)] = running.change ? infinite : taken.slip_time;
   }
 }
 

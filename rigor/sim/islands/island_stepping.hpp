@@ -62,7 +62,7 @@ class IslandStepping {
   std::vector<long> useless_;   ///< Of each body: parts of a step in a row that are too short to be of use.
   std::vector<bool> collides_;  ///< Of each body: whether it may touch any other.
   std::vector<double> step_size_;  ///< Of each body: what the error of its last step suggests [s].
-  std::vector<std::optional<double>> slip_time_;  ///< Of each body: where that step began [s].
+  std::vector<double> slip_time_;  ///< Of each body: where that step began [s]; infinite: none.
 };
 
 }  // namespace rigor

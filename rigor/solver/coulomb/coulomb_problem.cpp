@@ -259,16 +259,12 @@ std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem
   return labelled(std::move(exact), solution->iterations, "proximal points");
 }
 
-/// Work of an elimination of blocks, as a share of the cube of the rows of A, up to which it is the quicker
-/// one.
-constexpr double kBlockWork = 0.5;
-
-/// A as a map of motions: block by block where that is less work than with its factor.
+/// A as a map of motions: block by block where a Newton step is less work then than with a factor of A.
 std::unique_ptr<ContactMotion> motion_of(const MatX& A) {
+  if (!has_few_blocks(A)) return std::make_unique<FactoredMotion>(A);
   auto by_blocks = std::make_unique<ContactSpaceMotion>(A);
-  const double size = static_cast<double>(A.rows());
-  if (by_blocks->work() < kBlockWork * size * size * size) return by_blocks;
-  return std::make_unique<FactoredMotion>(A);
+  if (auto factored = FactoredMotion::of_little_work(A, by_blocks->work())) return factored;
+  return by_blocks;
 }
 
 /// Of many contacts: what they do by proximal points that begin from the interior of the cones, refined to
@@ -289,38 +285,40 @@ CoulombSolution solve_many(const CoulombProblem& problem, const CoulombOptions& 
   return labelled(is_refined ? std::move(polished) : std::move(*found), found->iterations, "proximal points");
 }
 
+/// So many contacts are better begun with proximal points than with the chain.
+constexpr std::size_t kFewestMany = 8;
+
 /// Sweeps as long as they converge fast: they cost little, and where any share of the load will do their
 /// forces are an answer. Of few contacts it costs less to refine what a few of them show.
 CoulombSolution solve_by_sweeps(const CoulombProblem& problem, const CoulombOptions& options,
                                 CoulombSolution best) {
   constexpr int kMostSweeps = 1024, kFirstLook = 16;
   constexpr double kGainOfDoubling = 0.1;
-  constexpr std::size_t kFew = 8;
-  const bool are_few = problem.mu.size() < kFew;
+  const bool are_few = problem.mu.size() < kFewestMany;
+  const int most = std::min(are_few ? kFirstLook : kMostSweeps, options.max_iterations);
   CoulombGaussSeidel gauss_seidel(problem, open_guess(problem));
   const CoulombGuess& guess = gauss_seidel.guess();
   double change = 1;
-  for (int sweep = 1; sweep <= (are_few ? kFirstLook : kMostSweeps) && change > 0; ++sweep) {
+  int sweep = 0;
+  while (sweep < most && change > 0) {
     poll_interrupt();
     change = gauss_seidel.sweep();
+    ++sweep;
     if (!guess.lambda.allFinite()) return best;
     const bool is_power = (sweep & (sweep - 1)) == 0;
     if (!is_power && change > options.tolerance) continue;
     CoulombSolution next = labelled(
         make_solution(problem, clamp_to_cones(problem, guess.lambda), guess.modes.modes, options.tolerance),
         sweep, "gauss-seidel");
-    const bool is_slow = sweep >= kFirstLook && next.residual > kGainOfDoubling * best.residual;
+    const bool is_slow = is_power && sweep >= kFirstLook && next.residual > kGainOfDoubling * best.residual;
     if (next.residual < best.residual) best = std::move(next);
     if (best.converged) return best;
     if (is_slow) break;
   }
   if (!are_few) return best;
   CoulombSolution refined = polish_coulomb(problem, guess, options.tolerance);
-  return refined.residual < best.residual ? labelled(std::move(refined), kFirstLook, "gauss-seidel") : best;
+  return refined.residual < best.residual ? labelled(std::move(refined), sweep, "gauss-seidel") : best;
 }
-
-/// So many contacts are better begun with proximal points than with the chain.
-constexpr std::size_t kFewestMany = 8;
 
 /// Where b is exact. The chain would take minutes of many contacts.
 CoulombSolution solve_exact(const CoulombProblem& problem, const CoulombOptions& options,

@@ -57,7 +57,8 @@ struct CoulombOptions {
   std::optional<double> resolution;
   /// Whether proximal points in motion space begin boldly (proximal_points.hpp).
   bool is_bold = false;
-  /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
+  /// Cap on the symmetric Gauss–Seidel sweeps of the chain and before it. At 256 or less the chain ends with
+  /// them.
   int max_iterations = 2000;
   /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.
   std::optional<LcpName> lcp;
@@ -75,10 +76,11 @@ struct CoulombOptions {
 ///
 /// A chain of methods, cheapest first; each only guesses what the contacts do, and polish_coulomb refines the
 /// guess to round-off: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block
-/// Gauss–Seidel. Of eight contacts and more proximal points (proximal_points.hpp) come first, block by block
-/// where A has few blocks (contact_space_motion.hpp), and without a resolution sweeps before them where any
-/// share of redundant contacts will do; of more than 200 contacts nothing comes after them then. With a
-/// resolution proximal points that know it come first without `least_norm`, else last.
+/// Gauss–Seidel. Without a resolution proximal points (proximal_points.hpp) come before the last two of eight
+/// contacts and more, block by block where A has few blocks (contact_space_motion.hpp), and sweeps before
+/// them where any share of redundant contacts will do; of more than 200 contacts nothing comes after. With a
+/// resolution points that take b as exact come before them of sixteen contacts and more, and points that know
+/// the resolution after them; without `least_norm` only these, and first.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
 /// Forces for modes that are already known: stick rows get w = 0, slide rows w_n = 0 with λ_t = -μ λ_n slip

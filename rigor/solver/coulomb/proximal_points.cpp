@@ -80,7 +80,7 @@ class ProximalPoints {
         stalls = candidate.residual < 0.5 * least() ? 0 : stalls + 1;
         failures = 0;
         keep(std::move(candidate), point);
-        if (best_->residual <= options_.wanted) return solution_of(*best_, best_->residual);
+        if (best_ && best_->residual <= options_.wanted) return solution_of(*best_, best_->residual);
 
         // The next point, with a longer step; where rounding held this one back, with a shorter one.
         from_.lambda = next->lambda;

@@ -5,6 +5,7 @@
 #include "rigor/solver/linear/node_system.hpp"
 #include "rigor/solver/linear/packed_contacts.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,8 @@ class ContactMotion {
 class FactoredMotion : public ContactMotion {
  public:
   explicit FactoredMotion(const MatX& A);
+  /// Nothing if a Newton step takes more multiplications than this; then A is not factored to its end.
+  static std::unique_ptr<FactoredMotion> of_little_work(const MatX& A, double work);
   using ContactMotion::apply_inverse_mass, ContactMotion::apply_transpose, ContactMotion::rates,
       ContactMotion::apply_mass, ContactMotion::solve;
   void rates(const VecX& v, VecX& w) const override { w.noalias() = L_ * v; }
@@ -67,6 +70,8 @@ class FactoredMotion : public ContactMotion {
   void solve(const VecX& g, VecX& v) const override;
 
  private:
+  FactoredMotion(MatX factor, VecX diagonal);
+
   MatX L_;  ///< 3n × rank.
   VecX diagonal_;
   mutable MatX matrix_;  ///< Of the Newton step.
@@ -104,7 +109,7 @@ class SparseMotion : public ContactMotion {
 };
 
 /// 1 / mean diagonal of A of each contact (n, [kg] where A is in [1/kg]); a contact whose block vanishes
-/// against the others gets the mass of the largest entry.
+/// against the others gets the mass of the largest entry; 1 where all vanish.
 VecX effective_masses(const VecX& diagonal);
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/contact_space_motion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -66,11 +67,20 @@ VecX masses_of_rows(const VecX& diagonal) {
 
 }  // namespace
 
-ContactSpaceMotion::ContactSpaceMotion(const MatX& A)
+bool has_few_blocks(const MatX& A) {
+  const std::vector<std::vector<int>> near = neighbours(A);
+  std::size_t couples = 0;
+  for (const std::vector<int>& each : near) couples += each.size();
+  return 2 * couples <= near.size() * near.size();
+}
+
+ContactSpaceMotion::ContactSpaceMotion(const MatX& A) : ContactSpaceMotion(A, neighbours(A)) {}
+
+ContactSpaceMotion::ContactSpaceMotion(const MatX& A, const std::vector<std::vector<int>>& near)
     : diagonal_(A.diagonal()),
       masses_(masses_of_rows(diagonal_)),
-      half_(halves(neighbours(A))),
-      pattern_(pattern_of(neighbours(A), half_)),
+      half_(halves(near)),
+      pattern_(pattern_of(near, half_)),
       matrix_(pattern_, false) {
   const int count = static_cast<int>(half_.size());
   for (int row = 0; row < count; ++row) {
@@ -105,13 +115,20 @@ void ContactSpaceMotion::factor(const std::vector<Mat3>& D, Symmetry) const {
   matrix_.restart(false);
   for (std::size_t node = 0; node < pattern_.node_count(); ++node)
     matrix_.block(pattern_.slot(static_cast<int>(node), static_cast<int>(node))).setIdentity();
-  for (const Block& block : blocks_)
-    matrix_.block(block.slot).block<3, 3>(block.i, block.k).noalias() +=
-        D[static_cast<std::size_t>(block.row)] * block.A;
-  matrix_.factor();
+  for (const Block& block : blocks_) {
+    // An open contact gives nothing back.
+    const Mat3& D_row = D[static_cast<std::size_t>(block.row)];
+    if (!D_row.isZero(0))
+      matrix_.block(block.slot).block<3, 3>(block.i, block.k).noalias() += D_row * block.A;
+  }
+  is_regular_ = matrix_.factor();
 }
 
 void ContactSpaceMotion::solve(const VecX& g, VecX& v) const {
+  if (!is_regular_) {
+    v.setConstant(g.size(), std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   padded_.setZero(6 * static_cast<Index>(pattern_.node_count()));
   for (std::size_t i = 0; i < half_.size(); ++i)
     padded_.segment<3>(3 * half_[i]) = g.segment<3>(3 * static_cast<Index>(i));

@@ -8,10 +8,14 @@
 
 namespace rigor {
 
+/// Whether at most half of the 3 × 3 blocks of A are other than zero.
+bool has_few_blocks(const MatX& A);
+
 /// Of a matrix A most of whose 3 × 3 blocks are zero: the motion of a contact is its force by its effective
 /// mass m, so that M = m, L = A m, and the forces stand for Lᵀ λ. The matrix of a Newton step is then
-/// (1 + D A) m, which has as few blocks as A, and D times the sum of positive semidefinite D⁻¹ and A: its
-/// elimination needs no pivots outside of its diagonal blocks.
+/// (1 + D A) m, which has as few blocks as A, whatever D. It is eliminated with pivots within the blocks of
+/// pairs of contacts: for symmetric D, positive semidefinite as A, that is stable; for the D of slides, which
+/// are not symmetric, it has proved to be (a test holds it against dense algebra).
 class ContactSpaceMotion : public ContactMotion {
  public:
   explicit ContactSpaceMotion(const MatX& A);
@@ -27,9 +31,13 @@ class ContactSpaceMotion : public ContactMotion {
   void apply_inverse_mass(const VecX& p, VecX& v) const override { v = p.cwiseQuotient(masses_); }
   const VecX& diagonal() const override { return diagonal_; }
   void factor(const std::vector<Mat3>& D, Symmetry symmetry) const override;
+  /// NaN where the elimination met a pivot that is zero.
   void solve(const VecX& g, VecX& v) const override;
 
  private:
+  /// `near`: the contacts that A couples with each.
+  ContactSpaceMotion(const MatX& A, const std::vector<std::vector<int>>& near);
+
   /// A block of A that is not zero.
   struct Block {
     int row, column;   ///< Contacts.
@@ -44,6 +52,7 @@ class ContactSpaceMotion : public ContactMotion {
   EliminationPattern pattern_;
   std::vector<Block> blocks_;
   mutable BlockElimination matrix_;
+  mutable bool is_regular_ = true;
   mutable VecX padded_, solution_;
 };
 

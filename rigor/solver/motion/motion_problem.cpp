@@ -105,8 +105,8 @@ class MotionSolver {
     return laws_.mu.size() >= kFewestInside || may_push(pushes);
   }
 
-  /// Whether a contact would part without impulses: then all hold so seldom that trying it costs more than
-  /// the searches that it saves.
+  /// Whether a contact would part without impulses: then all hold less often than not, and what a bold search
+  /// finds costs less than trying it.
   bool parts_somewhere() const {
     constexpr double kShare = 1e-2;  // Of the largest rate: blocks that fall together part by rounding.
     const double least = kShare * laws_.b.cwiseAbs().maxCoeff();

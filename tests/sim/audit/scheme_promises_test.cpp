@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor::scheme_promises_test {
 namespace {
@@ -91,6 +92,16 @@ TEST(SchemePromises, NobodyPromisesEnergyWhoDoesNotKnowTheWork) {
   EXPECT_FALSE(
       promises_of(*scene(1, true), method_of(Scheme::time_stepping, SolverMethod::substep)).knows_work);
   EXPECT_TRUE(promises_of(*scene(1, true), method_of(Scheme::event_driven)).knows_work);
+}
+
+TEST(SchemePromises, TheRiseOfEnergyIsNotKnownWhereWorkIsNot) {
+  for (const bool has_motor : {false, true}) {
+    const std::shared_ptr<const Model> model = scene(1, has_motor);
+    for (const SolverMethod solver : {SolverMethod::exact, SolverMethod::substep}) {
+      const Auditor auditor(model, method_of(Scheme::time_stepping, solver), make_initial_state(*model));
+      EXPECT_EQ(std::isnan(auditor.max_increase()), has_motor && solver == SolverMethod::substep);
+    }
+  }
 }
 
 TEST(SchemePromises, APenaltyOfGivenStiffnessPromisesNoDepthInMetres) {
