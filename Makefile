@@ -79,7 +79,9 @@ bench:
 	@build/bench/benchmarks/rigor_impact_bench
 	@build/bench/benchmarks/rigor_constrained_mass_bench
 	@build/bench/benchmarks/rigor_resting_bench
+	@build/bench/benchmarks/rigor_coulomb_bench
 	@build/bench/benchmarks/rigor_heap_bench
+	@benchmarks/scene_bars.py
 	@build/bench/benchmarks/rigor_chain_bench
 	@build/bench/benchmarks/rigor_convex_bench
 	@build/bench/benchmarks/rigor_coherent_bench
@@ -106,6 +108,6 @@ help:
 	@echo "make docs    the reference of the public C++ headers as a site, build/docs/html/index.html; installs Doxygen of Debian"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, heaps, distances and the broad phase, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, heaps, whole scenes, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make bench-bulk  scenes of many bodies: time per step with one and two threads and quality, beside Bullet"
 	@echo "make clean   remove build/"

@@ -16,7 +16,7 @@ case "${1:-build}" in
     command -v npm >/dev/null || packages+=(nodejs npm) ;;
   python) packages+=(python3-dev python3-numpy python3-matplotlib python3-pytest pybind11-dev) ;;
   docs) packages=(doxygen) ;;
-  bench) packages+=(libbenchmark-dev) ;;
+  bench) packages+=(libbenchmark-dev python3) ;;
   bench-bulk) packages+=(libbullet-dev) ;;
   *) echo "usage: tools/setup.sh [build|python|docs|check|bench|bench-bulk]" >&2; exit 2 ;;
 esac
