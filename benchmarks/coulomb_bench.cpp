@@ -187,7 +187,7 @@ int main(int argc, char** argv) {
     if (times.size() > 1) {
       const double peer = *std::min_element(std::next(times.begin()), times.end());
       first += std::isfinite(times[0]) && times[0] <= peer;
-      fmt::print("  {:.3g}", peer / times[0]);
+      if (std::isfinite(times[0])) fmt::print("  {:.3g}", peer / times[0]);
     }
     fmt::print("\n");
     std::fflush(stdout);
