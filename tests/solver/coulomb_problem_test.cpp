@@ -437,7 +437,8 @@ TEST(KnownModes, KeepForcesInTheirConesWhereLeastNormLeavesThem) {
   ASSERT_TRUE(s.converged);
   const std::optional<VecX> in_cones = find_cone_forces(with_slips_of(problem, s), s.modes);
   ASSERT_TRUE(in_cones.has_value());
-  // The slips passed on are those of w, which is known to 1e-13 of the largest term; a slow one turns by more.
+  // The slips passed on are those of w, which is known to 1e-13 of the largest term; a slow one turns by
+  // more.
   double slowest = problem.b.norm();
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(s.modes.size()); ++i)
     if (s.modes[static_cast<std::size_t>(i)] == ContactMode::slide)
