@@ -80,7 +80,7 @@ bench:
 	@build/bench/benchmarks/rigor_constrained_mass_bench
 	@build/bench/benchmarks/rigor_resting_bench
 	@build/bench/benchmarks/rigor_coulomb_bench
-	@build/bench/benchmarks/rigor_heap_bench
+	@build/bench/benchmarks/rigor_heap_bench 300
 	@benchmarks/scene_bars.py
 	@build/bench/benchmarks/rigor_chain_bench
 	@build/bench/benchmarks/rigor_convex_bench

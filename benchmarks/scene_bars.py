@@ -22,6 +22,7 @@ sys.dont_write_bytecode = True
 
 from heap_scene import field_scene, heap_scene  # noqa: E402  (it lies in tools/)
 from random_mechanism_scene import mechanism  # noqa: E402
+from random_pile_scene import pile  # noqa: E402
 
 FAILED = math.inf
 
@@ -71,9 +72,7 @@ def by_events(program):
 
 def by_default(program):
     for kind in ("boxes", "mixed", "books", "wall", "chain"):
-        for count in (24, 100):
-            if (kind, count) == ("books", 100):
-                continue  # A stack of 3 m: it buckles before the ball is there.
+        for count in (24, 48, 100):
             show(f"{kind} {count} by default settings, 2 s", [program.run(heap_scene(kind, count))[0]], "CPU s", 40)
 
 
@@ -87,6 +86,20 @@ def at_rest(program):
     show("1,001 bricks at rest, a step", [many], "CPU s", 0.3)
     growth = math.log(many / few) / math.log(1001 / 101) if math.isfinite(few) and math.isfinite(many) else FAILED
     show("growth from 101 to 1,001 bricks, exponent", [growth], "", 1.3)
+
+
+def many_contacts(program):
+    """Some 50,000 contacts of one island: 6,300 bricks, two steps, the second of which begins with the forces of the first."""
+    times = [program.run(heap_scene("rest", 6300), *settings(method__scheme="time-stepping", run__duration=0.02))[0]]
+    show("50,000 contacts at rest, two steps", times, "CPU s", 120)
+
+
+def piles(program):
+    for scheme, bar in [("time-stepping", 20), ("event-driven", 30)]:
+        times = [program.run(pile(seed), *settings(method__scheme=scheme))[0] for seed in range(40)]
+        whole = [t for t in times if math.isfinite(t)]
+        show(f"of 40 random piles, 5 s by {scheme}: whole", [len(whole)], "runs", 40, is_least=True)
+        show(f"these piles by {scheme}, in all", [sum(whole)], "CPU s", bar)
 
 
 def on_threads(program):
@@ -119,7 +132,7 @@ def main():
     print(f"{'scenes, seeds from 0 on':58} {'measured':>34} {'':8} aim")
     with tempfile.TemporaryDirectory() as folder:
         program = Program(options.program, options.limit, pathlib.Path(folder))
-        for part in (struck, by_events, by_default, at_rest, on_threads, mechanisms):
+        for part in (struck, by_events, by_default, at_rest, many_contacts, piles, on_threads, mechanisms):
             part(program)
 
 
